@@ -1,0 +1,7 @@
+#include "carom/core/variant.hpp"
+
+namespace carom {
+bool takesPlainPath() {
+  return true;
+}
+}  // namespace carom

@@ -1,0 +1,42 @@
+# Catch2 3 or 2.13, whichever the machine has. (find_package has no "2 or 3" range that both config files accept.)
+find_package(Catch2 3 QUIET CONFIG)
+if(NOT Catch2_FOUND)
+  unset(Catch2_DIR CACHE)
+  find_package(Catch2 2.13 REQUIRED CONFIG)
+endif()
+include(Catch)
+find_package(nlohmann_json 3 REQUIRED)
+
+add_library(carom_catch INTERFACE)
+target_include_directories(carom_catch INTERFACE ${PROJECT_SOURCE_DIR}/tests)
+target_compile_definitions(carom_catch INTERFACE CAROM_CATCH_MAJOR=${Catch2_VERSION_MAJOR})
+if(Catch2_VERSION VERSION_GREATER_EQUAL 3)
+  target_link_libraries(carom_catch INTERFACE Catch2::Catch2)
+else()
+  target_link_libraries(carom_catch INTERFACE Catch2::Catch2)
+endif()
+
+# Our own main for every Catch2 program, compiled once. Optimising Catch2's own code gains nothing.
+add_library(carom_catch_main OBJECT ${PROJECT_SOURCE_DIR}/tests/support/catch_main.cpp)
+target_link_libraries(carom_catch_main PRIVATE carom_catch)
+target_compile_features(carom_catch_main PRIVATE cxx_std_20)
+target_compile_options(carom_catch_main PRIVATE -O0)
+
+# carom_test_program(<name> SOURCES <file>... [LIBRARIES <target>...] [LABELS <label>...])
+# A Catch2 program with one ctest entry per TEST_CASE.
+function(carom_test_program name)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;LIBRARIES;LABELS;DEFINITIONS")
+  add_executable(${name} ${arg_SOURCES} $<TARGET_OBJECTS:carom_catch_main>)
+  target_link_libraries(${name} PRIVATE carom_own_flags carom_catch nlohmann_json::nlohmann_json ${arg_LIBRARIES})
+  target_compile_definitions(${name} PRIVATE
+    CAROM_SOURCE_DIR="${PROJECT_SOURCE_DIR}" CAROM_CASES_DIR="${PROJECT_SOURCE_DIR}/tests/cases"
+    ${arg_DEFINITIONS})
+  # Listing happens when ctest runs, so that a crashing program does not break the build.
+  catch_discover_tests(${name} TEST_PREFIX "${name}: " DISCOVERY_MODE PRE_TEST
+    PROPERTIES LABELS "${arg_LABELS}" TIMEOUT 300)
+endfunction()
+
+# carom_layer_tests(<layer> <file>...): the unit tests of a layer, linked with that layer's target alone.
+function(carom_layer_tests layer)
+  carom_test_program(test_${layer} SOURCES ${ARGN} LIBRARIES carom::${layer} LABELS unit)
+endfunction()

@@ -1,0 +1,117 @@
+# Layers: folders lib/carom/<layer>/ of which each may use only the ones named here. A chapter teaches one layer.
+#
+# Guard 1: carom_layer() refuses a dependency that the table does not allow.
+# Guard 2: the tests of a layer link that layer's target alone (carom_layer_tests).
+# Guard 3: a test compares every #include with the same table (tests/layering).
+
+set(CAROM_LAYERS core precision rotation mass detection manifold impulse motion toi broadphase solver world)
+set(CAROM_USES_core "")
+set(CAROM_USES_precision core)
+set(CAROM_USES_rotation core)
+set(CAROM_USES_mass rotation precision)
+set(CAROM_USES_detection rotation precision)
+set(CAROM_USES_manifold detection)
+set(CAROM_USES_impulse mass manifold)
+set(CAROM_USES_motion mass)
+set(CAROM_USES_toi detection motion)
+set(CAROM_USES_broadphase detection)
+set(CAROM_USES_solver impulse broadphase)
+set(CAROM_USES_world solver motion toi)
+
+# All layers that `layer` may use, itself excluded, in `out`.
+function(carom_layer_closure layer out)
+  set(seen "")
+  set(open ${CAROM_USES_${layer}})
+  while(open)
+    list(POP_FRONT open next)
+    if(NOT next IN_LIST seen)
+      list(APPEND seen ${next})
+      list(APPEND open ${CAROM_USES_${next}})
+    endif()
+  endwhile()
+  set(${out} ${seen} PARENT_SCOPE)
+endfunction()
+
+# carom_layer(NAME <layer> [USES <layer>...] [SEAMS <seam>...] [SOURCES <file.cpp>...] [HEADERS <file.hpp>...])
+#
+# Declares the layer that lives in the calling folder. A seam `x` is a function that an exercise replaces: it
+# stands alone in x.cpp beside x.hpp and becomes its own object library, so that a variant of the library can
+# take it from another file. Headers of seams need not be listed.
+function(carom_layer)
+  cmake_parse_arguments(PARSE_ARGV 0 arg "" "NAME" "USES;SEAMS;SOURCES;HEADERS")
+  if(arg_UNPARSED_ARGUMENTS)
+    message(FATAL_ERROR "carom_layer(${arg_NAME}): unknown arguments ${arg_UNPARSED_ARGUMENTS}")
+  endif()
+  if(NOT arg_NAME IN_LIST CAROM_LAYERS)
+    message(FATAL_ERROR "carom_layer: '${arg_NAME}' is not in the table of layers (lib/cmake/CaromLayers.cmake)")
+  endif()
+  foreach(used IN LISTS arg_USES)
+    if(NOT used IN_LIST CAROM_USES_${arg_NAME})
+      message(FATAL_ERROR
+        "layer '${arg_NAME}' asks for '${used}', but may use only: ${CAROM_USES_${arg_NAME}}. "
+        "A layer includes only earlier layers; the table is lib/cmake/CaromLayers.cmake.")
+    endif()
+  endforeach()
+
+  set(layer_target carom_${arg_NAME})
+  set(uses_targets "")
+  foreach(used IN LISTS arg_USES)
+    list(APPEND uses_targets carom::${used})
+  endforeach()
+
+  set(headers ${arg_HEADERS})
+  add_library(${layer_target} STATIC)
+  add_library(carom::${arg_NAME} ALIAS ${layer_target})
+  foreach(seam IN LISTS arg_SEAMS)
+    set(seam_target carom_seam_${arg_NAME}_${seam})
+    add_library(${seam_target} OBJECT ${seam}.cpp)
+    target_link_libraries(${seam_target} PRIVATE carom_own_flags ${uses_targets})
+    target_include_directories(${seam_target} PRIVATE ${PROJECT_SOURCE_DIR}/lib)
+    set_property(TARGET ${seam_target} PROPERTY POSITION_INDEPENDENT_CODE ON)
+    list(APPEND headers ${seam}.hpp)
+    carom_seam_object(${arg_NAME} ${seam} object)
+    target_sources(${layer_target} PRIVATE ${object})
+  endforeach()
+  if(arg_SOURCES)
+    add_library(carom_objects_${arg_NAME} OBJECT ${arg_SOURCES})
+    target_link_libraries(carom_objects_${arg_NAME} PRIVATE carom_own_flags ${uses_targets})
+    target_include_directories(carom_objects_${arg_NAME} PRIVATE ${PROJECT_SOURCE_DIR}/lib)
+    set_property(TARGET carom_objects_${arg_NAME} PROPERTY POSITION_INDEPENDENT_CODE ON)
+    target_sources(${layer_target} PRIVATE $<TARGET_OBJECTS:carom_objects_${arg_NAME}>)
+  endif()
+  target_sources(${layer_target} PUBLIC FILE_SET HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR}/lib FILES ${headers})
+  target_link_libraries(${layer_target} PUBLIC carom_flags ${uses_targets})
+  set_target_properties(${layer_target} PROPERTIES
+    EXPORT_NAME ${arg_NAME} LINKER_LANGUAGE CXX VERIFY_INTERFACE_HEADER_SETS ON)
+  install(TARGETS ${layer_target} EXPORT carom ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
+          FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+
+  set_property(GLOBAL APPEND PROPERTY CAROM_DECLARED_LAYERS ${arg_NAME})
+  set_property(GLOBAL PROPERTY CAROM_SEAMS_${arg_NAME} ${arg_SEAMS})
+  set_property(GLOBAL PROPERTY CAROM_HAS_SOURCES_${arg_NAME} "${arg_SOURCES}")
+endfunction()
+
+# The object file that provides a seam in this build: the library's own, or, with CAROM_MINE, the student's
+# where the exercise has been worked on. A file that still calls todo() has not been.
+function(carom_seam_object layer seam out)
+  set(${out} $<TARGET_OBJECTS:carom_seam_${layer}_${seam}> PARENT_SCOPE)
+  if(NOT CAROM_MINE)
+    return()
+  endif()
+  file(GLOB mine CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/exercises/*/${seam}.cpp)
+  foreach(file IN LISTS mine)
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${file})
+    file(STRINGS ${file} unfinished REGEX "todo<.*>\\(")
+    if(NOT unfinished)
+      message(STATUS "mine: ${layer}/${seam} comes from ${file}")
+      set(mine_target carom_mine_${layer}_${seam})
+      add_library(${mine_target} OBJECT ${file})
+      target_link_libraries(${mine_target} PRIVATE carom_flags)
+      target_include_directories(${mine_target} PRIVATE ${PROJECT_SOURCE_DIR}/lib)
+      set_property(GLOBAL PROPERTY CAROM_VARIANT_IS_PLAIN TRUE)
+      set(${out} $<TARGET_OBJECTS:${mine_target}> PARENT_SCOPE)
+    endif()
+  endforeach()
+endfunction()
+
+# The same choice for a group of object files outside the layers, e.g. a chapter's own function.
