@@ -1,0 +1,29 @@
+#include "carom/rotation/matrix_to_euler.hpp"
+
+#include <cmath>
+
+#include "carom/core/elementary.hpp"
+#include "carom/rotation/require_rotation.hpp"
+
+namespace carom {
+
+EulerAngles matrixToEuler(const Matrix3& R) {
+  requireRotation(R, "R");
+
+  // The last row of R is (-sin pitch, cos pitch sin roll, cos pitch cos roll).
+  const Real cosPitch = std::sqrt(R(2, 1) * R(2, 1) + R(2, 2) * R(2, 2));
+  EulerAngles angles;
+  angles.pitch = arctangent2(-R(2, 0), cosPitch);
+  angles.roll = cosPitch > 0 ? arctangent2(R(2, 1), R(2, 2)) : 0;
+
+  // Below one half the error of roll is more than twice a rounding error, and yaw must undo it.
+  if (cosPitch > 0.5) {
+    angles.yaw = arctangent2(R(1, 0), R(0, 0));
+  } else {
+    const Real s = sine(angles.roll), c = cosine(angles.roll);
+    angles.yaw = arctangent2(s * R(0, 2) - c * R(0, 1), c * R(1, 1) - s * R(1, 2));
+  }
+  return angles;
+}
+
+}  // namespace carom

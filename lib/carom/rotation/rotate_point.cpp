@@ -1,0 +1,16 @@
+#include "carom/rotation/rotate_point.hpp"
+
+#include "carom/rotation/conjugate.hpp"
+#include "carom/rotation/hamilton_product.hpp"
+#include "carom/rotation/scaled_quaternion.hpp"
+
+namespace carom {
+
+Vector3 rotatePoint(const Quaternion& q, const Vector3& v) {
+  const Quaternion s = scaledQuaternion(q, "q");
+  const Quaternion point{0, v.x(), v.y(), v.z()};
+  const Quaternion turned = hamiltonProduct(hamiltonProduct(s, point), conjugate(s));
+  return Vector3(turned.x, turned.y, turned.z) / squaredNorm(s);
+}
+
+}  // namespace carom
