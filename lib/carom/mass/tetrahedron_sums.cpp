@@ -1,0 +1,218 @@
+#include "carom/mass/tetrahedron_sums.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+
+// Runs a function of this file a second time with AVX2 where the compiler can and the machine has
+// it. Without fused multiply-add both give the same bits.
+#if defined(__x86_64__) && defined(__GNUC__)
+#define CAROM_HAS_AVX2_TWIN 1
+#define CAROM_AVX2 __attribute__((target("avx2")))
+#else
+#define CAROM_HAS_AVX2_TWIN 0
+#endif
+#define CAROM_INLINE inline __attribute__((always_inline))
+
+namespace carom {
+namespace {
+
+// Four doubles side by side; the compiler makes two of two where a register holds no more.
+using Four = Real __attribute__((vector_size(32)));
+constexpr std::size_t kLanes = 4;
+
+// How many fours are added plainly before the block is added with compensation: few enough that a
+// block loses less than 16 units in the last place, enough that compensation costs nothing.
+constexpr std::size_t kFoursPerBlock = 16;
+
+template <class S>
+struct Point {
+  S x, y, z;
+};
+
+// Adds the tetrahedron (origin, a, b, c); corners are relative to the origin.
+template <class S>
+CAROM_INLINE void addTetrahedron(TetrahedronSums<S>& sums, const Point<S>& a, const Point<S>& b,
+                                 const Point<S>& c) {
+  // The normal from the edges, which are short, so that its products do not cancel.
+  const S ux = b.x - a.x, uy = b.y - a.y, uz = b.z - a.z;
+  const S wx = c.x - a.x, wy = c.y - a.y, wz = c.z - a.z;
+  const S nx = uy * wz - uz * wy;
+  const S ny = uz * wx - ux * wz;
+  const S nz = ux * wy - uy * wx;
+  const S v = a.x * nx + a.y * ny + a.z * nz;
+
+  const S sx = a.x + b.x + c.x, sy = a.y + b.y + c.y, sz = a.z + b.z + c.z;
+  sums.v += v;
+  sums.x += v * sx;
+  sums.y += v * sy;
+  sums.z += v * sz;
+  sums.xx += v * (a.x * a.x + b.x * b.x + c.x * c.x + sx * sx);
+  sums.yy += v * (a.y * a.y + b.y * b.y + c.y * c.y + sy * sy);
+  sums.zz += v * (a.z * a.z + b.z * b.z + c.z * c.z + sz * sz);
+  sums.xy += v * (a.x * a.y + b.x * b.y + c.x * c.y + sx * sy);
+  sums.yz += v * (a.y * a.z + b.y * b.z + c.y * c.z + sy * sz);
+  sums.zx += v * (a.z * a.x + b.z * b.x + c.z * c.x + sz * sx);
+}
+
+// Calls f on each of the ten sums of several sets at once.
+template <class F, class... Sets>
+CAROM_INLINE void forEachSum(const F& f, Sets&... sets) {
+  f(sets.v...);
+  f(sets.x...);
+  f(sets.y...);
+  f(sets.z...);
+  f(sets.xx...);
+  f(sets.yy...);
+  f(sets.zz...);
+  f(sets.xy...);
+  f(sets.yz...);
+  f(sets.zx...);
+}
+
+// total + error += term, where error collects what rounding takes from total (Knuth's TwoSum).
+template <class S>
+CAROM_INLINE void addCompensated(S& total, S& error, const S& term) {
+  const S sum = total + term;
+  const S part = sum - total;
+  error += (total - (sum - part)) + (term - part);
+  total = sum;
+}
+
+// Triangles [begin, end) of a mesh as bare arrays: what the loop below reads.
+struct Arrays {
+  const Real* vertices = nullptr;           // three a vertex
+  const std::int32_t* triangles = nullptr;  // three a triangle
+  std::size_t triangleCount = 0;
+  std::int32_t lastVertex = 0;
+};
+
+// One corner of four triangles, relative to the origin.
+CAROM_INLINE void gather(Point<Four>& corner, const Real* vertices, const std::int32_t* index,
+                         const Point<Four>& origin) {
+  const Real* p = vertices + 3 * std::size_t(index[0]);
+  const Real* q = vertices + 3 * std::size_t(index[3]);
+  const Real* r = vertices + 3 * std::size_t(index[6]);
+  const Real* s = vertices + 3 * std::size_t(index[9]);
+  corner.x = Four{p[0], q[0], r[0], s[0]} - origin.x;
+  corner.y = Four{p[1], q[1], r[1], s[1]} - origin.y;
+  corner.z = Four{p[2], q[2], r[2], s[2]} - origin.z;
+}
+
+// True if every index names a vertex: neither it nor its distance to the last one is negative.
+CAROM_INLINE bool inRange(const std::int32_t* first, const std::int32_t* last,
+                          std::int32_t lastVertex) {
+  std::int32_t signs = 0;
+  for (const std::int32_t* index = first; index != last; ++index) {
+    signs |= *index | (lastVertex - *index);
+  }
+  return signs >= 0;
+}
+
+// The sums over all whole fours, lane by lane with their errors; false if an index names no vertex.
+CAROM_INLINE bool sumFours(const Arrays& mesh, const Point<Four>& origin,
+                           TetrahedronSums<Four>& total, TetrahedronSums<Four>& error) {
+  const std::size_t fours = mesh.triangleCount / kLanes;
+  for (std::size_t block = 0; block < fours; block += kFoursPerBlock) {
+    const std::size_t count = std::min(kFoursPerBlock, fours - block);
+    const std::int32_t* index = mesh.triangles + 3 * kLanes * block;
+    if (!inRange(index, index + 3 * kLanes * count, mesh.lastVertex)) return false;
+    TetrahedronSums<Four> sums;
+    for (std::size_t i = 0; i < count; ++i, index += 3 * kLanes) {
+      Point<Four> a;
+      Point<Four> b;
+      Point<Four> c;
+      gather(a, mesh.vertices, index, origin);
+      gather(b, mesh.vertices, index + 1, origin);
+      gather(c, mesh.vertices, index + 2, origin);
+      addTetrahedron(sums, a, b, c);
+    }
+    forEachSum(
+        [](Four & t, Four & e, const Four& s)
+            __attribute__((always_inline)) { addCompensated(t, e, s); },
+        total, error, sums);
+  }
+  return true;
+}
+
+bool sumFoursBaseline(const Arrays& mesh, const Point<Four>& origin, TetrahedronSums<Four>& total,
+                      TetrahedronSums<Four>& error) {
+  return sumFours(mesh, origin, total, error);
+}
+
+#if CAROM_HAS_AVX2_TWIN
+CAROM_AVX2 bool sumFoursAvx2(const Arrays& mesh, const Point<Four>& origin,
+                             TetrahedronSums<Four>& total, TetrahedronSums<Four>& error) {
+  return sumFours(mesh, origin, total, error);
+}
+#endif
+
+Arrays arraysOf(const TriangleMesh& mesh) {
+  static_assert(sizeof(Vector3) == 3 * sizeof(Real), "vertices lie without gaps");
+  return {mesh.vertices.front().data(), mesh.triangles.front().data(), mesh.triangles.size(),
+          static_cast<std::int32_t>(mesh.vertices.size() - 1)};
+}
+
+}  // namespace
+
+TetrahedronSums<Real> sumTetrahedra(const TriangleMesh& mesh, const Vector3& origin) {
+  const Arrays arrays = arraysOf(mesh);
+  const Point<Four> corner{Four{} + origin.x(), Four{} + origin.y(), Four{} + origin.z()};
+  TetrahedronSums<Four> total;
+  TetrahedronSums<Four> error;
+#if CAROM_HAS_AVX2_TWIN
+  static const bool hasAvx2 = __builtin_cpu_supports("avx2");
+  const bool valid = hasAvx2 ? sumFoursAvx2(arrays, corner, total, error)
+                             : sumFoursBaseline(arrays, corner, total, error);
+#else
+  const bool valid = sumFoursBaseline(arrays, corner, total, error);
+#endif
+
+  // The last one to three triangles.
+  TetrahedronSums<Real> sums;
+  const std::size_t done = arrays.triangleCount / kLanes * kLanes;
+  if (!valid || !inRange(arrays.triangles + 3 * done, arrays.triangles + 3 * arrays.triangleCount,
+                         arrays.lastVertex)) {
+    requireUsable(mesh);
+  }
+  for (std::size_t t = done; t < mesh.triangles.size(); ++t) {
+    Point<Real> corners[3];
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vector3 r = mesh.vertices[std::size_t(mesh.triangles[t][k])] - origin;
+      corners[k] = {r.x(), r.y(), r.z()};
+    }
+    addTetrahedron(sums, corners[0], corners[1], corners[2]);
+  }
+
+  // The four lanes are added in a fixed order, compensated as well.
+  TetrahedronSums<Real> rest;
+  for (std::size_t lane = 0; lane < kLanes; ++lane) {
+    forEachSum(
+        [lane](Real& s, Real& r, const Four& t, const Four& e) {
+          addCompensated(s, r, Real(t[lane]));
+          r += e[lane];
+        },
+        sums, rest, total, error);
+  }
+  forEachSum([](Real& s, const Real& r) { s += r; }, sums, rest);
+  return sums;
+}
+
+TetrahedronSums<DoubleDouble> sumTetrahedraExactly(const TriangleMesh& mesh,
+                                                   const Vector3& origin) {
+  requireUsable(mesh);
+  TetrahedronSums<DoubleDouble> sums;
+  for (const auto& triangle : mesh.triangles) {
+    Point<DoubleDouble> corners[3];
+    for (std::size_t k = 0; k < 3; ++k) {
+      // The difference of two doubles is exact as two doubles.
+      const Vector3& vertex = mesh.vertices[std::size_t(triangle[k])];
+      corners[k] = {exactSum(vertex.x(), -origin.x()), exactSum(vertex.y(), -origin.y()),
+                    exactSum(vertex.z(), -origin.z())};
+    }
+    addTetrahedron(sums, corners[0], corners[1], corners[2]);
+  }
+  return sums;
+}
+
+}  // namespace carom
