@@ -1,0 +1,19 @@
+#pragma once
+// Doxygen reads every chapter page through this filter, which expands what only the project knows:
+//
+//     \exercises                              the chapter's exercises: table and statements
+//     \figure FILE | what it shows | caption  a picture that the chapter's program drew
+//     \player FILE | what it shows | caption  a recording that the chapter's program wrote
+//
+// FILE stands in the output folder of the chapter's programs. A file that is not there ends the program with
+// an error, and so the site's build.
+
+#include <filesystem>
+
+namespace site {
+
+// Prints the expanded page; false when something is missing.
+bool filterPage(const std::filesystem::path& projectRoot, const std::filesystem::path& outputFolder,
+                const std::filesystem::path& page);
+
+}  // namespace site
