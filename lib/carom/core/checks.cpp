@@ -11,13 +11,35 @@ std::string toText(Real value) {
   return {digits.data(), end.ptr};
 }
 
+namespace {
+
+template <class Vector>
+std::string listed(const Vector& value) {
+  std::string text = "(";
+  for (int i = 0; i < value.size(); ++i) {
+    if (i > 0) text += ", ";
+    text += toText(value(i));
+  }
+  text += ")";
+  return text;
+}
+
+}  // namespace
+
 std::string toText(const Vector3& value) {
-  return "(" + toText(value.x()) + ", " + toText(value.y()) + ", " + toText(value.z()) + ")";
+  return listed(value);
+}
+
+std::string toText(const Vector4& value) {
+  return listed(value);
 }
 
 std::string toText(const Matrix3& value) {
-  return "(" + toText(Vector3(value.row(0))) + ", " + toText(Vector3(value.row(1))) + ", " +
-         toText(Vector3(value.row(2))) + ")";
+  std::string text = "(";
+  text += toText(Vector3(value.row(0))) + ", ";
+  text += toText(Vector3(value.row(1))) + ", ";
+  text += toText(Vector3(value.row(2))) + ")";
+  return text;
 }
 
 void reject(const std::string& name, const std::string& value, const std::string& rule) {

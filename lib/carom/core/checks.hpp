@@ -23,6 +23,10 @@ std::string toText(Real value);
 /// \ingroup core
 std::string toText(const Vector3& value);
 
+/// Four numbers as text. \param value any four numbers \return their text, as for a vector of three
+/// \ingroup core
+std::string toText(const Vector4& value);
+
 /// A matrix as text, row by row. \param value any matrix
 /// \return its text, for example "((1, 0, 0), (0, 1, 0), (0, 0, 1))"
 /// \ingroup core
@@ -67,7 +71,8 @@ inline void requirePositive(Real value, const char* name) {
   }
 }
 
-/// Lets only finite numbers from zero up pass. \param value the number \param name what it is called
+/// Lets only finite numbers from zero up pass.
+/// \param value the number \param name what it is called
 /// \throws InvalidInput for negative numbers, infinities and NaN
 /// \ingroup core
 inline void requireNonNegative(Real value, const char* name) {

@@ -12,7 +12,8 @@ namespace {
 constexpr Real kPi = 0x1.921fb54442d18p+1, kPiRest = 0x1.1a62633145c07p-53;
 constexpr Real kHalfPi = 0x1.921fb54442d18p+0, kHalfPiRest = 0x1.1a62633145c07p-54;
 
-// Below this size x^3/6 is less than a quarter ulp of x, and sin x = x. Also keeps the sign of zero.
+// Below this size x^3/6 is less than a quarter ulp of x, and sin x = x. Also keeps the sign of
+// zero.
 constexpr Real kTiny = 0x1p-27;
 
 // sin(x + low) for |x| <= pi/4. The series of sine up to x^17: the next term is below 1e-19 of x.
@@ -122,8 +123,8 @@ Real arctangentTail(Real t) {
   return z * tail;
 }
 
-// arctan(small / large) for 0 <= small <= large, from arctan c + arctan((q - c) / (1 + q c)) with the
-// nearest c = k/16.
+// arctan(small / large) for 0 <= small <= large, from arctan c + arctan((q - c) / (1 + q c)) with
+// the nearest c = k/16.
 Angle arctangentOfRatio(Real small, Real large) {
   if (small == 0) return {0, 0};
   if (std::isinf(large)) {
@@ -132,8 +133,8 @@ Angle arctangentOfRatio(Real small, Real large) {
   }
   if (small < large * 0x1p-60) return {small / large, 0};
 
-  // The quotient with the digits that its rounding lost, found from the exact remainder. Scaling by a
-  // power of two keeps the products in range.
+  // The quotient with the digits that its rounding lost, found from the exact remainder. Scaling by
+  // a power of two keeps the products in range.
   int exponent = 0;
   large = std::frexp(large, &exponent);
   small = std::ldexp(small, -exponent);

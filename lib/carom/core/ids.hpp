@@ -1,11 +1,11 @@
 #pragma once
 // Who is who in a world where things come and go?
 //
-// Bodies, shapes and contacts live in arrays, and a removed one's place is used again. An id that is
-// a bare index would then silently mean somebody else, so it carries the generation of its place: the
-// number of times that the place has been handed out. A stale id does not match, and is found out.
-// The tag makes the id of a body and the id of a shape different types. (The idea is common; see
-// Box3D's handles, Catto 2025.) An id does not know which world it belongs to.
+// Bodies, shapes and contacts live in arrays, and a removed one's place is used again. An id that
+// is a bare index would then silently mean somebody else, so it carries the generation of its
+// place: the number of times that the place has been handed out. A stale id does not match, and is
+// found out. The tag makes the id of a body and the id of a shape different types. (The idea is
+// common; see Box3D's handles, Catto 2025.) An id does not know which world it belongs to.
 
 #include <compare>
 #include <cstdint>

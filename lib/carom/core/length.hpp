@@ -2,9 +2,9 @@
 // How long is a vector, also a very long or a very short one?
 //
 // The square of 1e200 is infinite and the square of 1e-200 is zero, although both lengths are
-// ordinary doubles. Outside the range where squares are safe the vector is first scaled by a power of
-// two, which costs no digit. Eigen's stableNorm scales by the largest component, and so rounds where
-// nothing had to be rounded.
+// ordinary doubles. Outside the range where squares are safe the vector is first scaled by a power
+// of two, which costs no digit. Eigen's stableNorm scales by the largest component, and so rounds
+// where nothing had to be rounded.
 
 #include <cmath>
 

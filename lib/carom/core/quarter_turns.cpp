@@ -39,9 +39,9 @@ QuarterTurns bySplitting(Real angle) {
   return {k & 3, rest.sum, rest.error};
 }
 
-// angle = m 2^e with a 53-bit integer m. What counts is the fraction of angle / (2 pi), so of 2/pi 2^e / 4
-// only the bits behind the point: 192 of them leave an error of 2^53 2^-192 turns, while no double
-// comes closer to a multiple of a quarter turn than 2^-62.
+// angle = m 2^e with a 53-bit integer m. What counts is the fraction of angle / (2 pi), so of 2/pi
+// 2^e / 4 only the bits behind the point: 192 of them leave an error of 2^53 2^-192 turns, while no
+// double comes closer to a multiple of a quarter turn than 2^-62.
 QuarterTurns byIntegers(Real angle) {
   int exponent = 0;
   const Real fraction = std::frexp(std::abs(angle), &exponent);
@@ -69,7 +69,8 @@ QuarterTurns byIntegers(Real angle) {
     carryHigh = (sum >> 32) + (shifted >> 32);
   }
 
-  // Two bits of quarter turns; the others, read as a signed number, are the rest, rounded to nearest.
+  // Two bits of quarter turns; the others, read as a signed number, are the rest, rounded to
+  // nearest.
   auto quarters = static_cast<int>(product[0] >> 30);
   for (int i = 0; i < kWords; ++i) {
     product[i] = product[i] << 2 | (i + 1 < kWords ? product[i + 1] >> 30 : 0);

@@ -1,12 +1,12 @@
 #pragma once
 // How many quarter turns are in an angle, and what is left over?
 //
-// Subtracting k pi/2 cancels nearly all digits when the angle is close to a multiple, so pi/2 must be
-// known to many more digits than a double holds. Up to a million quarter turns it is split into three
-// parts of 33 bits, whose products with k are exact, and a tail (Cody and Waite 1980). Beyond that
-// the bits of 2/pi that matter are multiplied exactly in integers (Payne and Hanek 1983): bits whose
-// product with the angle is a multiple of four quarter turns are never looked at, so 224 bits do for
-// every double.
+// Subtracting k pi/2 cancels nearly all digits when the angle is close to a multiple, so pi/2 must
+// be known to many more digits than a double holds. Up to a million quarter turns it is split into
+// three parts of 33 bits, whose products with k are exact, and a tail (Cody and Waite 1980). Beyond
+// that the bits of 2/pi that matter are multiplied exactly in integers (Payne and Hanek 1983): bits
+// whose product with the angle is a multiple of four quarter turns are never looked at, so 192 bits
+// do for every double.
 
 #include "carom/core/real.hpp"
 

@@ -3,10 +3,10 @@
 //
 // The rounding error of + and * is itself a double and can be computed with a few more operations:
 // sums after Knuth (The Art of Computer Programming 2, theorem 4.2.2.B), products after Dekker
-// (Numerische Mathematik 18, 1971) with Veltkamp's splitting of a factor into two halves whose products
-// are exact. The processor's fused multiply-add would give the product's error in one operation, but
-// not every machine has one. This is the foundation of all that Carom computes more exactly than a
-// double: chapter 7 explains it, the functions of elementary.hpp already need it.
+// (Numerische Mathematik 18, 1971) with Veltkamp's splitting of a factor into two halves whose
+// products are exact. The processor's fused multiply-add would give the product's error in one
+// operation, but not every machine has one. This is the foundation of all that Carom computes more
+// exactly than a double: chapter 7 explains it, the functions of elementary.hpp already need it.
 // What it does not handle: overflow, and products whose error would fall below the smallest double.
 
 #include <cmath>

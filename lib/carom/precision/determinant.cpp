@@ -14,9 +14,9 @@ DoubleDouble expand(const ExactVector& a, const ExactVector& b, const ExactVecto
   return a[0] * x + a[1] * y + a[2] * z;
 }
 
-ExactVector exactDifference(const Vector3& a, const Vector3& b) {
-  return {exactDifference(a.x(), b.x()), exactDifference(a.y(), b.y()),
-          exactDifference(a.z(), b.z())};
+ExactVector edge(const Vector3& from, const Vector3& to) {
+  return {exactDifference(to.x(), from.x()), exactDifference(to.y(), from.y()),
+          exactDifference(to.z(), from.z())};
 }
 
 }  // namespace
@@ -27,7 +27,7 @@ DoubleDouble determinant(const Vector3& a, const Vector3& b, const Vector3& c) {
 
 DoubleDouble tetrahedronDeterminant(const Vector3& o, const Vector3& a, const Vector3& b,
                                     const Vector3& c) {
-  return expand(exactDifference(a, o), exactDifference(b, o), exactDifference(c, o));
+  return expand(edge(o, a), edge(o, b), edge(o, c));
 }
 
 }  // namespace carom

@@ -1,10 +1,11 @@
 #pragma once
 // The determinant of three vectors, with digits to spare.
 //
-// det(a, b, c) = a . (b x c) is the signed volume of the box that the vectors span, six times that of the
-// tetrahedron. For a flat tetrahedron its terms cancel, and a double keeps no digit at all. In double-double
-// arithmetic the differences of the corners and the products are exact and only the last sums round, at
-// 2^-104 of the largest term. For the sign beyond any doubt: exact_determinant.hpp.
+// det(a, b, c) = a . (b x c) is the signed volume of the box that the vectors span, six times that
+// of the tetrahedron. For a flat tetrahedron its terms cancel, and a double keeps no digit at all.
+// In double-double arithmetic the differences of the corners and the products are exact and only
+// the last sums round, at 2^-104 of the largest term. For the sign beyond any doubt:
+// exact_determinant.hpp.
 
 #include "carom/core/real.hpp"
 #include "carom/precision/double_double.hpp"

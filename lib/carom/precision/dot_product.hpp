@@ -2,8 +2,8 @@
 // A dot product as if computed with twice the digits.
 //
 // Products and sums are rounded in a plain dot product, and if the terms cancel only the rounding
-// errors remain. Here both errors are computed exactly and added at the end: Dot2 of Ogita, Rump and
-// Oishi (SIAM J. Sci. Comput. 26, 2005).
+// errors remain. Here both errors are computed exactly and added at the end: Dot2 of Ogita, Rump
+// and Oishi (SIAM J. Sci. Comput. 26, 2005).
 
 #include <span>
 

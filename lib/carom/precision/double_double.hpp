@@ -1,11 +1,11 @@
 #pragma once
 // A number with twice the digits of a double.
 //
-// An unevaluated sum high + low of two doubles that do not overlap: 106 bits, 32 decimal digits, at ten
-// to twenty times the cost of a double. Volumes of slivers cancel nearly all digits of a double; here
-// 16 are left. Sum and product after Dekker 1971 in the accurate form, with the error bounds of
-// Joldes, Muller and Popescu (ACM TOMS 44(2), 2017). It has the range of a double, not more: overflow
-// and products below 1e-290 are not handled.
+// An unevaluated sum high + low of two doubles that do not overlap: 106 bits, 32 decimal digits, at
+// ten to twenty times the cost of a double. Volumes of slivers cancel nearly all digits of a
+// double; here 16 are left. Sum and product after Dekker 1971 in the accurate form, with the error
+// bounds of Joldes, Muller and Popescu (ACM TOMS 44(2), 2017). It has the range of a double, not
+// more: overflow and products below 1e-290 are not handled.
 
 #include "carom/core/two_sum.hpp"
 

@@ -76,8 +76,8 @@ int orientation(const Vector3& o, const Vector3& a, const Vector3& b, const Vect
     value += u(i) * (v(j) * w(k) - v(k) * w(j));
     size += std::abs(u(i)) * (std::abs(v(j) * w(k)) + std::abs(v(k) * w(j)));
   }
-  // Shewchuk's bound (7 + 56 eps) eps, eps = 2^-53, for differences, products and sums together. It does not
-  // know of underflow, hence the lower limit on size.
+  // Shewchuk's bound (7 + 56 eps) eps, eps = 2^-53, for differences, products and sums together. It
+  // does not know of underflow, hence the lower limit on size.
   constexpr Real kErrorBound = 7.0000000000001 * 0x1p-53;
   if (size > 1e-200 && std::abs(value) > kErrorBound * size && std::isfinite(size)) {
     return value > 0 ? 1 : -1;

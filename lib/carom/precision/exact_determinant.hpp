@@ -1,24 +1,25 @@
 #pragma once
 // On which side of a plane is a point, without any doubt?
 //
-// The sign of det(a - o, b - o, c - o). A double's sign is trusted where it exceeds the largest error that
-// it can have (the filter of Shewchuk's orient3d, Discrete & Computational Geometry 18, 1997), which
-// is nearly always. Otherwise the determinant is multiplied out into 24 products of three coordinates,
-// each of which is exactly the sum of four doubles, and those are added without error.
+// The sign of det(a - o, b - o, c - o). A double's sign is trusted where it exceeds the largest
+// error that it can have (the filter of Shewchuk's orient3d, Discrete & Computational Geometry 18,
+// 1997), which is nearly always. Otherwise the determinant is multiplied out into 24 products of
+// three coordinates, each of which is exactly the sum of four doubles, and those are added without
+// error.
 
 #include "carom/core/real.hpp"
 
 namespace carom {
 
-/// The sign of six times the volume of a tetrahedron, exactly: 1 if a, b, c run counter-clockwise seen
-/// from outside, o being inside; -1 if clockwise; 0 if the four corners lie in one plane.
+/// The sign of six times the volume of a tetrahedron, exactly: 1 if a, b, c run counter-clockwise
+/// seen from outside, o being inside; -1 if clockwise; 0 if the four corners lie in one plane.
 /// \param o first corner [m]
 /// \param a second corner [m]
 /// \param b third corner [m]
 /// \param c fourth corner [m]
 /// \return -1, 0 or 1
-/// \throws InvalidInput if a coordinate is not finite, or if a coordinate other than 0 is more than 2^600
-///   times smaller than the largest
+/// \throws InvalidInput if a coordinate is not finite, or if a coordinate other than 0 is more than
+///   2^600 times smaller than the largest
 /// \ingroup precision
 int orientation(const Vector3& o, const Vector3& a, const Vector3& b, const Vector3& c);
 

@@ -31,8 +31,8 @@ int ExactSum::sign() const {
 }
 
 Real ExactSum::value() const {
-  // From the largest down, until a rounding error appears: the parts below it cannot change the sum,
-  // unless the error is exactly half an ulp, a tie, which the sign of the next part decides.
+  // From the largest down, until a rounding error appears: the parts below it cannot change the
+  // sum, unless the error is exactly half an ulp, a tie, which the sign of the next part decides.
   if (parts_.empty()) return 0;
   std::size_t i = parts_.size() - 1;
   Real sum = parts_[i];

@@ -1,12 +1,12 @@
 #pragma once
 // How does a running sum keep the digits that it would lose?
 //
-// Each addition loses the low digits of the smaller term. Their loss is computed exactly (twoSum) and
-// collected beside the sum; it is added once, at the end. Neumaier (ZAMM 54, 1974) improved Kahan's
-// method (1965), which fails when a term is larger than the sum so far: 1 + 1e100 + 1 - 1e100 is 0 with
-// Kahan, 2 with this. The result is as if summed with twice the digits and then rounded, after Ogita,
-// Rump and Oishi (SIAM J. Sci. Comput. 26, 2005). What it does not handle: sums whose terms cancel to
-// less than 1e-32 of their size (exact_sum.hpp), and infinite terms.
+// Each addition loses the low digits of the smaller term. Their loss is computed exactly (twoSum)
+// and collected beside the sum; it is added once, at the end. Neumaier (ZAMM 54, 1974) improved
+// Kahan's method (1965), which fails when a term is larger than the sum so far: 1 + 1e100 + 1 -
+// 1e100 is 0 with Kahan, 2 with this. The result is as if summed with twice the digits and then
+// rounded, after Ogita, Rump and Oishi (SIAM J. Sci. Comput. 26, 2005). What it does not handle:
+// sums whose terms cancel to less than 1e-32 of their size (exact_sum.hpp), and infinite terms.
 
 #include "carom/core/two_sum.hpp"
 

@@ -1,9 +1,10 @@
 #pragma once
 // How many doubles lie between two doubles?
 //
-// An honest measure of a rounding error: 0 is the same number, 1 its neighbour, whatever their size. Doubles of
-// one sign are ordered as their bits are, read as integers (IEEE 754), so the distance is a
-// difference of integers once the negative ones are mirrored. +0 and -0 are one place.
+// An honest measure of a rounding error: 0 is the same number, 1 its neighbour, whatever their
+// size. Doubles of one sign are ordered as their bits are, read as integers (IEEE 754), so the
+// distance is a difference of integers once the negative ones are mirrored. +0 and -0 are one
+// place.
 
 #include <cstdint>
 

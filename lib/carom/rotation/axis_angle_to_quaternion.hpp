@@ -1,10 +1,10 @@
 #pragma once
 // Which quaternion turns about a given axis by a given angle?
 //
-// (cos w/2, a sin w/2) for a unit axis a. Half the angle, because rotating a point multiplies by the
-// quaternion twice, once from each side. The source does not say that the axis must have length 1,
-// and its example writes 180 degrees where the formula wants pi; here the axis is normalised, and
-// angles are radians everywhere.
+// (cos w/2, a sin w/2) for a unit axis a. Half the angle, because rotating a point multiplies by
+// the quaternion twice, once from each side. The source does not say that the axis must have length
+// 1, and its example writes 180 degrees where the formula wants pi; here the axis is normalised,
+// and angles are radians everywhere.
 
 #include "carom/rotation/quaternion.hpp"
 

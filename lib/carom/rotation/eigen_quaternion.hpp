@@ -1,9 +1,9 @@
 #pragma once
 // The bridge between the course's quaternion and the engine's.
 //
-// The engine computes with Eigen's quaternions. This is the only header that includes Eigen's Geometry
-// module, so that the files of chapter 1 stand on their own feet. Mind the order: Eigen's constructor
-// takes (w, x, y, z), its coeffs() are stored (x, y, z, w).
+// The engine computes with Eigen's quaternions. This is the only header that includes Eigen's
+// Geometry module, so that the files of chapter 1 stand on their own feet. Mind the order: Eigen's
+// constructor takes (w, x, y, z), its coeffs() are stored (x, y, z, w).
 
 #include <Eigen/Geometry>
 

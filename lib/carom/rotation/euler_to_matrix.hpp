@@ -1,9 +1,10 @@
 #pragma once
 // Which matrix belongs to roll, pitch and yaw?
 //
-// R = Rz(yaw) Ry(pitch) Rx(roll), multiplied out. The first rotation stands at the right, next to the
-// point that it turns. Multiplied out rather than as three products because each entry then carries
-// at most two roundings per term. Source: equations 1 and 2; the entry (1,1) of equation 2 is wrong.
+// R = Rz(yaw) Ry(pitch) Rx(roll), multiplied out. The first rotation stands at the right, next to
+// the point that it turns. Multiplied out rather than as three products because each entry then
+// carries at most two roundings per term. Source: equations 1 and 2; the entry (1,1) of equation 2
+// is wrong.
 
 #include "carom/rotation/euler_angles.hpp"
 

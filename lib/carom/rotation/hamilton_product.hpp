@@ -10,7 +10,8 @@
 
 namespace carom {
 
-/// The product q r: as rotations, r first and then q, like matrices. (The source does not say which.)
+/// The product q r: as rotations, r first and then q, like matrices. (The source does not say
+/// which.)
 /// \param q left factor, applied last
 /// \param r right factor, applied first
 /// \return q r; its norm is |q| |r|. Not-a-number goes in and comes out

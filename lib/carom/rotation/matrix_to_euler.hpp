@@ -5,17 +5,17 @@
 // quadrant and lose no digits where arcsine and arccosine do. The trap is gimbal lock: towards
 // pitch = +-pi/2 the entries that hold roll and yaw shrink to rounding noise. Roll may then be
 // anything, but yaw must fit that roll: it is read from R Rx(-roll) = Rz Ry, whose second column
-// (-sin yaw, cos yaw, 0) never shrinks (after Shoemake, Graphics Gems IV, 1994, and Herter and Lott,
-// Computers & Graphics 17, 1993). So the matrix that is built again from the angles is right
+// (-sin yaw, cos yaw, 0) never shrinks (after Shoemake, Graphics Gems IV, 1994, and Herter and
+// Lott, Computers & Graphics 17, 1993). So the matrix that is built again from the angles is right
 // everywhere, and at the lock itself roll becomes 0.
 
 #include "carom/rotation/euler_angles.hpp"
 
 namespace carom {
 
-/// Roll, pitch and yaw with R = Rz(yaw) Ry(pitch) Rx(roll). The matrix built again from them is within
-/// 1e-15 of R everywhere; the angles themselves are within 8 ulp / cos(pitch) outside the lock. At
-/// pitch = +-pi/2 exactly, roll is 0 and yaw carries the whole rest.
+/// Roll, pitch and yaw with R = Rz(yaw) Ry(pitch) Rx(roll). The matrix built again from them is
+/// within 1e-15 of R everywhere; the angles themselves are within 8 ulp / cos(pitch) outside the
+/// lock. At pitch = +-pi/2 exactly, roll is 0 and yaw carries the whole rest.
 /// \param R rotation matrix, body to world [1]; may have drifted a little, see requireRotation()
 /// \return roll and yaw in [-pi, pi], pitch in [-pi/2, pi/2] [rad]
 /// \throws InvalidInput if R is not a rotation matrix

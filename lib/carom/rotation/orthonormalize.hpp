@@ -1,9 +1,9 @@
 #pragma once
 // How does a matrix that has drifted become a rotation again?
 //
-// Take the rotation nearest to it, the orthogonal factor of its polar decomposition: iterate
-// X <- (X + X^-T) / 2, which converges quadratically (Higham, SIAM J. Sci. Stat. Comput. 7, 1986).
-// X^-T needs no general inverse: its columns are cross products of columns of X over the determinant.
+// Take the rotation nearest to it, the orthogonal factor of its polar decomposition: iterate X <-
+// (X + X^-T) / 2, which converges quadratically (Higham, SIAM J. Sci. Stat. Comput. 7, 1986). X^-T
+// needs no general inverse: its columns are cross products of columns of X over the determinant.
 // Gram-Schmidt is shorter but keeps the first column as it is, error and all. For a quaternion one
 // division does the same job, one reason why orientations are stored as quaternions.
 

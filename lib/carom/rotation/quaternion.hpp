@@ -1,9 +1,9 @@
 #pragma once
 // A quaternion as the course writes it: w first.
 //
-// The engine computes with Eigen's quaternions (eigen_quaternion.hpp converts). This plain struct is what the
-// functions of chapter 1 take and return: four named numbers, so that nobody has to remember that Eigen's
-// constructor takes w first while its storage keeps w last.
+// The engine computes with Eigen's quaternions (eigen_quaternion.hpp converts). This plain struct
+// is what the functions of chapter 1 take and return: four named numbers, so that nobody has to
+// remember that Eigen's constructor takes w first while its storage keeps w last.
 
 #include "carom/core/real.hpp"
 
@@ -12,8 +12,8 @@
 
 namespace carom {
 
-/// q = w + x i + y j + z k with i² = j² = k² = ijk = -1. A rotation is a quaternion of norm 1; q and -q are the
-/// same rotation. Default: the identity. \source{4,5,6}
+/// q = w + x i + y j + z k with i² = j² = k² = ijk = -1. A rotation is a quaternion of norm 1; q
+/// and -q are the same rotation. Default: the identity. \source{4,5,6}
 /// \ingroup rotation
 struct Quaternion {
   Real w = 1;  ///< real part, cos(angle/2) for a rotation

@@ -1,9 +1,9 @@
 #pragma once
 // About which axis, and how far, does a quaternion turn?
 //
-// The angle is 2 atan2(|(x, y, z)|, w), which is accurate for small and large angles alike; 2 acos(w)
-// returns 0 for an angle of 1e-8, because w is then 1 to the last bit. q and -q are the same rotation;
-// of their two vectors the shorter one is returned, at most pi long.
+// The angle is 2 atan2(|(x, y, z)|, w), which is accurate for small and large angles alike; 2
+// acos(w) returns 0 for an angle of 1e-8, because w is then 1 to the last bit. q and -q are the
+// same rotation; of their two vectors the shorter one is returned, at most pi long.
 
 #include "carom/rotation/quaternion.hpp"
 

@@ -1,8 +1,9 @@
 #pragma once
 // The matrix of a quaternion.
 //
-// Nine sums and nine products per point are cheaper than two Hamilton products, so a body's quaternion
-// is turned into a matrix once per step and the matrix turns its points. Written out from q v q*/|q|^2.
+// Nine sums and nine products per point are cheaper than two Hamilton products, so a body's
+// quaternion is turned into a matrix once per step and the matrix turns its points. Written out
+// from q v q*/|q|^2.
 
 #include "carom/rotation/quaternion.hpp"
 

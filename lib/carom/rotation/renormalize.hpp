@@ -1,9 +1,9 @@
 #pragma once
 // How does a quaternion that has drifted become a rotation again?
 //
-// Divide by its norm, as for any vector of four numbers. Rounding moves the norm of a product of unit
-// quaternions by up to an ulp; over a million steps that is visible, so the norm is put right where
-// orientations are integrated, and nowhere else.
+// Divide by its norm, as for any vector of four numbers. Rounding moves the norm of a product of
+// unit quaternions by up to an ulp; over a million steps that is visible, so the norm is put right
+// where orientations are integrated, and nowhere else.
 
 #include "carom/rotation/quaternion.hpp"
 

@@ -1,8 +1,8 @@
 #pragma once
 // Is this matrix a rotation?
 //
-// Its columns must have length 1 and stand at right angles, and it must not mirror. Matrices that have
-// been multiplied for a while are a little off; the limit lets them pass. Reading angles or a
+// Its columns must have length 1 and stand at right angles, and it must not mirror. Matrices that
+// have been multiplied for a while are a little off; the limit lets them pass. Reading angles or a
 // quaternion off a matrix that shears or mirrors would give numbers without meaning.
 
 #include "carom/core/real.hpp"
@@ -10,7 +10,8 @@
 namespace carom {
 
 /// How far an entry of R^T R may be from the unit matrix. A million products of rotations drift by
-/// 1e-10; a matrix that was typed with six digits passes, one that shears or scales visibly does not.
+/// 1e-10; a matrix that was typed with six digits passes, one that shears or scales visibly does
+/// not.
 /// \ingroup rotation
 inline constexpr Real kRotationTolerance = 1e-5;
 

@@ -1,9 +1,10 @@
 #pragma once
 // Where does a rotation take a point?
 //
-// The sandwich q v q*: read the point as a quaternion without real part, multiply by q from the left and
-// by its conjugate from the right. Both factors bring |q|, so the result is divided by |q|^2. The
-// source normalises the left factor only, and its points come out |q| times too far away.
+// The sandwich q v q*: read the point as a quaternion without real part, multiply by q from the
+// left and by its conjugate from the right. Both factors bring |q|, so the result is divided by
+// |q|^2. The source normalises the left factor only, and its points come out |q| times too far
+// away.
 
 #include "carom/rotation/quaternion.hpp"
 

@@ -1,6 +1,5 @@
 #include "carom/rotation/scaled_quaternion.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 #include "carom/core/checks.hpp"
@@ -11,14 +10,10 @@ Quaternion scaledQuaternion(const Quaternion& q, const char* name) {
   const Real size = squaredNorm(q);
   if (size > 1e-120 && size < 1e120) return q;
 
-  const auto text = [&q] {
-    return "(" + toText(q.w) + ", " + toText(q.x) + ", " + toText(q.y) + ", " + toText(q.z) + ")";
-  };
-  const bool finite =
-      std::isfinite(q.w) && std::isfinite(q.x) && std::isfinite(q.y) && std::isfinite(q.z);
-  if (!finite) reject(name, text(), "must be finite");
-  const Real largest = std::max({std::abs(q.w), std::abs(q.x), std::abs(q.y), std::abs(q.z)});
-  if (largest == 0) reject(name, text(), "must not be zero: it is no rotation");
+  const Vector4 components(q.w, q.x, q.y, q.z);
+  if (!components.allFinite()) reject(name, toText(components), "must be finite");
+  const Real largest = components.cwiseAbs().maxCoeff();
+  if (largest == 0) reject(name, toText(components), "must not be zero: it is no rotation");
 
   int e = 0;
   std::frexp(largest, &e);

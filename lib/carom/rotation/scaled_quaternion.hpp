@@ -1,9 +1,10 @@
 #pragma once
 // A quaternion whose square can be taken.
 //
-// As rotations, q and 1000 q are the same. But the squares of numbers beyond 1e154 overflow and those
-// below 1e-162 vanish, so whoever divides by |q|^2 first scales by a power of two, which is exact. Zero
-// and not-a-number are no rotation at all, and are refused here for every function that takes one.
+// As rotations, q and 1000 q are the same. But the squares of numbers beyond 1e154 overflow and
+// those below 1e-162 vanish, so whoever divides by |q|^2 first scales by a power of two, which is
+// exact. Zero and not-a-number are no rotation at all, and are refused here for every function that
+// takes one.
 
 #include "carom/rotation/quaternion.hpp"
 
