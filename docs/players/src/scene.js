@@ -1,0 +1,333 @@
+// Bodies, light and camera.
+import * as THREE from 'three';
+import { poseAt } from './decode.js';
+
+const edgeAngle = 20;  // degrees between two faces from which their common edge is drawn
+
+// A billiard ball: a white band and a dot at each pole, so that turning about any axis is seen.
+function ballTexture(color) {
+  const canvas = document.createElement('canvas');
+  canvas.width = 256;
+  canvas.height = 128;
+  const g = canvas.getContext('2d');
+  g.fillStyle = color;
+  g.fillRect(0, 0, 256, 128);
+  g.fillStyle = '#fbfaf5';
+  g.fillRect(0, 52, 256, 24);
+  g.fillRect(0, 0, 256, 14);
+  g.fillRect(0, 114, 256, 14);
+  g.fillStyle = '#22262c';
+  for (const x of [0, 128, 256]) {
+    g.beginPath();
+    g.arc(x, 64, 8, 0, 2 * Math.PI);
+    g.fill();
+  }
+  const texture = new THREE.CanvasTexture(canvas);
+  texture.colorSpace = THREE.SRGBColorSpace;
+  texture.anisotropy = 4;
+  return texture;
+}
+
+function lines(points, color, opacity = 1) {
+  const geometry = new THREE.BufferGeometry().setFromPoints(points);
+  return new THREE.Line(geometry, new THREE.LineBasicMaterial({ color, transparent: opacity < 1, opacity }));
+}
+
+function gridLines(size, step) {
+  const half = size / 2, points = [];
+  for (let i = -Math.floor(half / step); i <= Math.floor(half / step); ++i) {
+    points.push(-half, i * step, 0, half, i * step, 0, i * step, -half, 0, i * step, half, 0);
+  }
+  const geometry = new THREE.BufferGeometry();
+  geometry.setAttribute('position', new THREE.Float32BufferAttribute(points, 3));
+  return geometry;
+}
+
+function solidGeometry(body) {
+  const alongZ = geometry => geometry.rotateX(Math.PI / 2);  // three.js builds along y
+  switch (body.type) {
+    case 'ball': return alongZ(new THREE.SphereGeometry(body.radius, 40, 24));
+    case 'box': return new THREE.BoxGeometry(...body.size);
+    case 'capsule': return alongZ(new THREE.CapsuleGeometry(body.radius, body.length, 12, 32));
+    case 'cylinder': return alongZ(new THREE.CylinderGeometry(body.radius, body.radius, body.length, 48));
+    case 'disc': return new THREE.CircleGeometry(body.radius, 64);
+    case 'polygon': return new THREE.ShapeGeometry(new THREE.Shape(body.corners.map(c => new THREE.Vector2(...c))));
+    case 'plane': return new THREE.PlaneGeometry(body.size, body.size);
+    case 'mesh': {
+      const geometry = new THREE.BufferGeometry();
+      geometry.setAttribute('position', new THREE.BufferAttribute(body.positions, 3));
+      geometry.setIndex(new THREE.BufferAttribute(body.indices, 1));
+      return geometry;
+    }
+  }
+  return null;
+}
+
+function outlinePoints(body) {
+  if (body.type === 'disc') {
+    const points = [new THREE.Vector3()];
+    for (let i = 0; i <= 64; ++i) {
+      const angle = i * Math.PI / 32;
+      points.push(new THREE.Vector3(body.radius * Math.cos(angle), body.radius * Math.sin(angle), 0));
+    }
+    return points;
+  }
+  if (body.type === 'polygon') {
+    return [...body.corners, body.corners[0]].map(c => new THREE.Vector3(c[0], c[1], 0));
+  }
+  return null;
+}
+
+function bodyObject(body, flat) {
+  const group = new THREE.Group();
+  group.name = body.name;
+  const color = new THREE.Color(body.color);
+  if (body.type === 'polyline') {
+    group.add(lines(body.points.map(p => new THREE.Vector3(...p)), color, body.opacity));
+    return group;
+  }
+  const geometry = solidGeometry(body);
+  const seeThrough = body.opacity < 1;
+  const dark = color.clone().multiplyScalar(0.35);
+  if (body.type === 'plane') {
+    const floor = new THREE.Mesh(geometry, new THREE.MeshStandardMaterial({
+      color: 0xffffff, roughness: 1, side: THREE.DoubleSide, transparent: seeThrough, opacity: body.opacity,
+      polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 }));
+    floor.receiveShadow = true;
+    floor.userData.role = 'floor';
+    const grid = new THREE.LineSegments(gridLines(body.size, body.step), new THREE.LineBasicMaterial());
+    grid.userData.role = 'grid';
+    group.add(floor, grid);
+    return group;
+  }
+  if (!body.wireframe) {
+    const flatBody = body.type === 'disc' || body.type === 'polygon';
+    const Material = flatBody && flat ? THREE.MeshBasicMaterial : THREE.MeshStandardMaterial;
+    const material = new Material({
+      color, transparent: seeThrough || (flatBody && flat), opacity: flatBody && flat ? 0.75 * body.opacity : body.opacity,
+      side: flatBody || body.type === 'mesh' || seeThrough ? THREE.DoubleSide : THREE.FrontSide,
+      depthWrite: !seeThrough });
+    if (material.isMeshStandardMaterial) {
+      material.roughness = body.type === 'ball' ? 0.28 : 0.55;
+      material.flatShading = body.type === 'mesh';
+    }
+    if (body.type === 'ball' && !seeThrough) {
+      material.map = ballTexture(body.color);
+      material.color.set(0xffffff);
+    }
+    const mesh = new THREE.Mesh(geometry, material);
+    mesh.castShadow = !seeThrough;
+    mesh.receiveShadow = !seeThrough && !flatBody;
+    group.add(mesh);
+  }
+  const outline = outlinePoints(body);
+  if (outline) {
+    const line = lines(outline, dark);
+    line.userData = { role: 'edge', own: body.color };
+    line.position.z = 1e-3;
+    group.add(line);
+  } else if (body.type === 'box' || body.type === 'mesh' || body.type === 'cylinder' || body.wireframe) {
+    const many = body.type === 'mesh' && body.triangles > 20000;
+    if (!many) {
+      const edges = body.wireframe && body.type !== 'box' ? new THREE.WireframeGeometry(geometry)
+                                                          : new THREE.EdgesGeometry(geometry, edgeAngle);
+      const line = new THREE.LineSegments(edges, new THREE.LineBasicMaterial({
+        color: body.wireframe ? color : dark, transparent: true, opacity: body.wireframe ? body.opacity : 0.55 }));
+      line.userData = { role: 'edge', own: body.color, wire: body.wireframe };
+      group.add(line);
+    }
+  }
+  return group;
+}
+
+function boundingRadius(body) {
+  switch (body.type) {
+    case 'ball': case 'disc': return body.radius;
+    case 'box': return Math.hypot(...body.size) / 2;
+    case 'capsule': return body.radius + body.length / 2;
+    case 'cylinder': return Math.hypot(body.radius, body.length / 2);
+    case 'polygon': return Math.max(...body.corners.map(c => Math.hypot(...c)));
+    case 'polyline': return Math.max(...body.points.map(p => Math.hypot(...p)));
+    case 'plane': return Math.SQRT1_2 * body.size;
+  }
+  let largest = 0;
+  for (let i = 0; i < body.positions.length; i += 3) {
+    largest = Math.max(largest, Math.hypot(body.positions[i], body.positions[i + 1], body.positions[i + 2]));
+  }
+  return largest;
+}
+
+function bodyAxes(length) {
+  const group = new THREE.Group();
+  const ends = [[1, 0, 0, 0xd0312d], [0, 1, 0, 0x2c9a3f], [0, 0, 1, 0x2f6fde]];
+  for (const [x, y, z, color] of ends) {
+    group.add(new THREE.ArrowHelper(new THREE.Vector3(x, y, z), new THREE.Vector3(), length, color, 0.18 * length, 0.1 * length));
+  }
+  return group;
+}
+
+export class Stage {
+  constructor(header, cases) {
+    this.header = header;
+    this.cases = cases;
+    this.flat = header.view.flat;
+    this.scene = new THREE.Scene();
+    this.bodies = [];
+    this.trails = [];
+    this.moving = [];
+    const box = new THREE.Box3();
+    const floorBox = new THREE.Box3();
+    let moving = 0;
+    for (const body of header.bodies) {
+      const object = bodyObject(body, this.flat);
+      const radius = boundingRadius(body);
+      if (body.axes) object.add(bodyAxes(1.5 * radius));
+      const reach = new THREE.Vector3(radius, radius, radius);
+      if (body.pose) {
+        object.position.fromArray(body.pose);
+        object.quaternion.set(body.pose[4], body.pose[5], body.pose[6], body.pose[3]).normalize();
+        const target = body.type === 'plane' ? floorBox : box;
+        target.expandByPoint(object.position.clone().add(reach));
+        target.expandByPoint(object.position.clone().sub(reach));
+      } else {
+        this.moving.push({ object, index: moving });
+        for (const one of cases) {
+          const n = one.frames;
+          const at = moving * 7 * n;
+          for (let f = 0; f < n; ++f) {
+            const p = new THREE.Vector3(one.poses[at + f], one.poses[at + n + f], one.poses[at + 2 * n + f]);
+            box.expandByPoint(p.clone().add(reach));
+            box.expandByPoint(p.sub(reach));
+          }
+        }
+        if (body.trail) this.trails.push({ index: moving, color: body.color, line: null });
+        ++moving;
+      }
+      this.bodies.push(object);
+      this.scene.add(object);
+    }
+    if (box.isEmpty()) box.copy(floorBox);
+    if (box.isEmpty()) box.set(new THREE.Vector3(-1, -1, -1), new THREE.Vector3(1, 1, 1));
+    this.box = box;
+    this.size = Math.max(box.getSize(new THREE.Vector3()).length(), 1e-9);
+
+    this.arrows = header.arrows.map(arrow => {
+      const helper = new THREE.ArrowHelper(new THREE.Vector3(1, 0, 0), new THREE.Vector3(), 1, arrow.color);
+      // Arrows often start inside a body; they are drawn over everything.
+      for (const part of [helper.line, helper.cone]) {
+        part.material.depthTest = false;
+        part.material.transparent = true;
+        part.renderOrder = 2;
+      }
+      this.scene.add(helper);
+      return helper;
+    });
+    this.addLight();
+    this.addCamera();
+  }
+
+  addLight() {
+    const up = new THREE.Vector3(...this.header.view.up).normalize();
+    if (this.flat) up.set(0, 0, 1);
+    const sky = new THREE.HemisphereLight(0xffffff, 0x8f96a3, 1.7);
+    sky.position.copy(up);
+    const sun = new THREE.DirectionalLight(0xfff4e2, 2.2);
+    const middle = this.box.getCenter(new THREE.Vector3());
+    const aside = new THREE.Vector3(up.y, up.z, up.x).cross(up).normalize();
+    const ahead = new THREE.Vector3().crossVectors(up, aside);
+    sun.position.copy(middle).addScaledVector(up, this.size).addScaledVector(aside, 0.45 * this.size)
+      .addScaledVector(ahead, 0.35 * this.size);
+    sun.target.position.copy(middle);
+    sun.castShadow = true;
+    sun.shadow.mapSize.set(2048, 2048);
+    const half = 0.62 * this.size;
+    Object.assign(sun.shadow.camera, { left: -half, right: half, top: half, bottom: -half, near: 0.05 * this.size, far: 3 * this.size });
+    sun.shadow.normalBias = 0.002 * this.size;
+    sun.shadow.radius = 3;
+    this.scene.add(sky, sun, sun.target);
+  }
+
+  addCamera() {
+    const view = this.header.view;
+    this.target = view.target ? new THREE.Vector3(...view.target) : this.box.getCenter(new THREE.Vector3());
+    if (this.flat) {
+      this.camera = new THREE.OrthographicCamera(-1, 1, 1, -1, -1e4 * this.size, 1e4 * this.size);
+      this.camera.position.copy(this.target).add(new THREE.Vector3(0, 0, this.size));
+    } else {
+      const distance = view.distance ?? 1.35 * this.size + 1e-6;
+      this.camera = new THREE.PerspectiveCamera(38, 1, 0.005 * distance, 60 * Math.max(distance, this.size));
+      this.camera.up.set(...view.up).normalize();
+      const direction = new THREE.Vector3(...view.direction).normalize();
+      this.camera.position.copy(this.target).addScaledVector(direction, -distance);
+    }
+    this.camera.lookAt(this.target);
+  }
+
+  resize(width, height) {
+    const aspect = width / height;
+    if (this.flat) {
+      const size = this.box.getSize(new THREE.Vector3());
+      const half = this.header.view.distance ?? 0.55 * Math.max(size.y, size.x / aspect, 1e-9);
+      Object.assign(this.camera, { left: -half * aspect, right: half * aspect, top: half, bottom: -half });
+    } else {
+      this.camera.aspect = aspect;
+    }
+    this.camera.updateProjectionMatrix();
+  }
+
+  setTheme(dark) {
+    this.background = dark ? '#14181f' : '#f3f5f8';
+    this.scene.background = new THREE.Color(this.background);
+    for (const object of this.bodies) {
+      for (const part of object.children) {
+        const role = part.userData.role;
+        if (role === 'floor') part.material.color.set(dark ? 0x2a303a : 0xe9ecf1);
+        if (role === 'grid') part.material.color.set(dark ? 0x414a58 : 0xc3cad4);
+        if (role === 'edge' && !part.userData.wire) {
+          // Edges are darker than the body on a light ground, lighter on a dark one.
+          part.material.color.set(part.userData.own).lerp(new THREE.Color(dark ? 0xffffff : 0x000000), 0.6);
+        }
+      }
+    }
+  }
+
+  setCase(one) {
+    this.case = one;
+    for (const trail of this.trails) {
+      if (trail.line) {
+        this.scene.remove(trail.line);
+        trail.line.geometry.dispose();
+      }
+      const n = one.frames, at = trail.index * 7 * n, points = [];
+      for (let f = 0; f < n; ++f) {
+        points.push(new THREE.Vector3(one.poses[at + f], one.poses[at + n + f], one.poses[at + 2 * n + f]));
+      }
+      trail.line = lines(points, trail.color, 0.8);
+      trail.line.frustumCulled = false;
+      this.scene.add(trail.line);
+    }
+  }
+
+  // Puts everything where it is `part` of the way from frame f to the next.
+  show(f, part) {
+    for (const { object, index } of this.moving) {
+      poseAt(this.case, index, f, part, object.position, object.quaternion);
+    }
+    for (const trail of this.trails) trail.line.geometry.setDrawRange(0, f + 1);
+    const n = this.case.frames, next = f + 1 < n ? 1 : 0;
+    this.arrows.forEach((helper, a) => {
+      const series = k => {
+        const at = (a * 6 + k) * n + f;
+        return this.case.arrows[at] + part * (this.case.arrows[at + next] - this.case.arrows[at]);
+      };
+      const vector = new THREE.Vector3(series(3), series(4), series(5));
+      const length = vector.length() * this.header.arrows[a].scale;
+      helper.visible = length > 1e-4 * this.size;
+      if (!helper.visible) return;
+      helper.position.set(series(0), series(1), series(2));
+      helper.setDirection(vector.normalize());
+      const head = Math.min(0.3 * length, 0.03 * this.size);
+      helper.setLength(length, head, 0.6 * head);
+    });
+  }
+}

@@ -1,0 +1,96 @@
+// Draws the scene on a plain canvas, for browsers without WebGL: triangles from back to front, each in one shade.
+// No shadows and no textures, but the same bodies, camera and controls.
+import * as THREE from 'three';
+
+const mostTriangles = 60000;
+
+export class SoftwareRenderer {
+  constructor(canvas) {
+    this.domElement = canvas;
+    this.g = canvas.getContext('2d');
+    this.ratio = Math.min(window.devicePixelRatio || 1, 2);
+  }
+
+  setSize(width, height) {
+    this.domElement.width = width * this.ratio;
+    this.domElement.height = height * this.ratio;
+  }
+
+  render(scene, camera) {
+    const { g } = this, { width, height } = this.domElement;
+    scene.updateMatrixWorld();
+    camera.updateMatrixWorld();
+    g.fillStyle = '#' + scene.background.getHexString();
+    g.fillRect(0, 0, width, height);
+    const toClip = new THREE.Matrix4().multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse);
+    const light = new THREE.Vector3(0.3, 0.2, 1).normalize().transformDirection(camera.matrixWorld);
+    const pieces = [];
+    scene.traverseVisible(object => {
+      if ((object.isMesh || object.isLine) && pieces.length < mostTriangles) {
+        this.collect(object, toClip, light, pieces);
+      }
+    });
+    // Floors first, then by depth, lines a little before the faces that they lie on.
+    pieces.sort((a, b) => b.floor - a.floor || a.order - b.order || b.depth - a.depth);
+    for (const piece of pieces) {
+      g.globalAlpha = piece.opacity;
+      g.beginPath();
+      piece.points.forEach((p, i) => (i ? g.lineTo(p.x, p.y) : g.moveTo(p.x, p.y)));
+      if (piece.points.length > 2) {
+        g.closePath();
+        g.fillStyle = g.strokeStyle = piece.color;
+        g.lineWidth = 0.7;
+        g.fill();
+        g.stroke();
+      } else {
+        g.strokeStyle = piece.color;
+        g.lineWidth = 1.2 * this.ratio;
+        g.stroke();
+      }
+    }
+    g.globalAlpha = 1;
+  }
+
+  collect(object, toClip, light, pieces) {
+    const { width, height } = this.domElement;
+    const position = object.geometry.getAttribute('position');
+    const { index } = object.geometry;
+    const material = object.material;
+    const base = material.map && object.parent?.userData.color ? object.parent.userData.color : '#' + material.color.getHexString();
+    const floor = object.userData.role === 'floor' || object.userData.role === 'grid' ? 1 : 0;
+    const world = [], screen = [];
+    for (let i = 0; i < position.count; ++i) {
+      const p = new THREE.Vector3().fromBufferAttribute(position, i).applyMatrix4(object.matrixWorld);
+      world.push(p);
+      const clip = new THREE.Vector4(p.x, p.y, p.z, 1).applyMatrix4(toClip);
+      const seen = clip.w > 0;
+      screen.push({ x: (clip.x / clip.w + 1) / 2 * width, y: (1 - clip.y / clip.w) / 2 * height, depth: clip.z / clip.w, seen });
+    }
+    const range = object.geometry.drawRange;
+    const total = Math.min(index ? index.count : position.count, range.start + range.count);
+    const at = i => (index ? index.getX(i) : i);
+    const order = object.renderOrder;
+    const add = (ids, color, bias) => {
+      const points = ids.map(i => screen[i]);
+      if (points.some(p => !p.seen)) return;
+      const depth = points.reduce((sum, p) => sum + p.depth, 0) / points.length - bias;
+      pieces.push({ points, depth, color, opacity: material.opacity, floor, order });
+    };
+    if (object.isMesh) {
+      const color = new THREE.Color(), normal = new THREE.Vector3(), edge = new THREE.Vector3();
+      for (let i = 0; i + 2 < total; i += 3) {
+        const [a, b, c] = [at(i), at(i + 1), at(i + 2)];
+        const [p, q, r] = [screen[a], screen[b], screen[c]];
+        const facing = (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x) < 0;
+        if (!facing && material.side === THREE.FrontSide) continue;
+        normal.subVectors(world[b], world[a]).cross(edge.subVectors(world[c], world[a])).normalize();
+        const shade = material.isMeshBasicMaterial ? 1 : 0.55 + 0.45 * Math.abs(normal.dot(light));
+        color.set(base).multiplyScalar(shade * shade);
+        add([a, b, c], '#' + color.getHexString(), 0);
+      }
+    } else {
+      const step = object.isLineSegments ? 2 : 1;
+      for (let i = range.start; i + 1 < total; i += step) add([at(i), at(i + 1)], base, 1e-4);
+    }
+  }
+}
