@@ -1,15 +1,265 @@
-# Chapters and exercises.
+# Chapters and exercises: their programs, their graders, and the manifest that tells the runner how to build and
+# link a submission.
 
-# carom_program(CHAPTER <NN_name> NAME <program> [USES <layer>...] [SOURCES <file>...])
+# carom_program(CHAPTER <NN_name> NAME <program> [USES <layer>...] [SOURCES <file>...] [SEAMS <seam>...])
 # A runnable program of a chapter: <program>.cpp in the calling folder, linked with layers and the recorder.
+# SEAMS are functions of the chapter itself that an exercise replaces: <seam>.cpp and <seam>.hpp beside it.
 function(carom_program)
-  cmake_parse_arguments(PARSE_ARGV 0 arg "" "CHAPTER;NAME" "USES;SOURCES")
+  cmake_parse_arguments(PARSE_ARGV 0 arg "" "CHAPTER;NAME" "USES;SOURCES;SEAMS")
   set(target ${arg_CHAPTER}_${arg_NAME})
-  add_executable(${target} ${arg_NAME}.cpp ${arg_SOURCES})
   set(layers ${arg_USES})
   list(TRANSFORM layers PREPEND carom::)
+  set(seam_objects "")
+  foreach(seam IN LISTS arg_SEAMS)
+    if(NOT TARGET carom_seam_${arg_CHAPTER}_${seam})
+      carom_seam(${arg_CHAPTER} ${seam} LAYERS ${layers} carom::core)
+      carom_seam_object(${arg_CHAPTER} ${seam} object)
+      set_property(GLOBAL PROPERTY CAROM_CHAPTER_SEAM_${arg_CHAPTER}_${seam} ${object})
+    endif()
+    get_property(object GLOBAL PROPERTY CAROM_CHAPTER_SEAM_${arg_CHAPTER}_${seam})
+    list(APPEND seam_objects ${object})
+  endforeach()
+  # The program's own code is an object library, so that `course play` can link it with other functions.
+  add_library(${target}_objects OBJECT ${arg_NAME}.cpp ${arg_SOURCES})
+  target_link_libraries(${target}_objects PRIVATE carom_own_flags ${layers} carom::io)
+  add_executable(${target} $<TARGET_OBJECTS:${target}_objects> ${seam_objects})
   target_link_libraries(${target} PRIVATE carom_own_flags ${layers} carom::io)
+  set_target_properties(${target} PROPERTIES
+    OUTPUT_NAME ${arg_NAME} RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/programs/${arg_CHAPTER})
+  set_property(GLOBAL APPEND PROPERTY CAROM_PROGRAMS ${arg_CHAPTER}/${arg_NAME})
+  set_property(GLOBAL APPEND PROPERTY CAROM_PROGRAM_TARGETS ${target})
+  set_property(GLOBAL PROPERTY CAROM_PROGRAM_SEAMS_${arg_CHAPTER}/${arg_NAME} ${arg_SEAMS})
 endfunction()
 
+# Reads `key = value` from the head of an exercise.ini (not from its sections).
+function(carom_ini file key out)
+  file(STRINGS ${file} lines REGEX "^${key} = ")
+  set(value "")
+  if(lines)
+    list(GET lines 0 line)
+    string(REGEX REPLACE "^${key} = " "" value "${line}")
+    string(STRIP "${value}" value)
+  endif()
+  set(${out} "${value}" PARENT_SCOPE)
+endfunction()
+
+# All object files of a layer, without the seams and files named in `without`.
+function(carom_layer_objects layer without out)
+  set(objects "")
+  get_property(seams GLOBAL PROPERTY CAROM_SEAMS_${layer})
+  foreach(seam IN LISTS seams)
+    if(NOT seam IN_LIST without)
+      list(APPEND objects $<TARGET_OBJECTS:carom_seam_${layer}_${seam}>)
+    endif()
+  endforeach()
+  get_property(sources GLOBAL PROPERTY CAROM_HAS_SOURCES_${layer})
+  if(sources)
+    set(all $<TARGET_OBJECTS:carom_objects_${layer}>)
+    foreach(name IN LISTS without)
+      set(all "$<FILTER:${all},EXCLUDE,/${name}\\.cpp\\.o$>")
+    endforeach()
+    list(APPEND objects ${all})
+  endif()
+  set(${out} "${objects}" PARENT_SCOPE)
+endfunction()
+
+# carom_exercise(<folder of exercise.ini>): everything that grades one exercise.
+#
+#   <x>_test    the Catch2 tests, compiled once
+#   grader_<x>  the trusted program: the tests, linked with a proxy that asks through the pipe
+#   lazy_<x>    a child that answers with zero, one or an echo
+#   stage_<x>   the library that an answer may use: the layers below, and its own layer without the answer
+function(carom_exercise folder)
+  set(ini ${folder}/exercise.ini)
+  set_property(DIRECTORY ${PROJECT_SOURCE_DIR} APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${ini})
+  get_filename_component(name ${folder} NAME)
+  get_filename_component(chapter_folder ${folder} DIRECTORY)
+  get_filename_component(chapter ${chapter_folder} NAME)
+  foreach(key id kind layer home without geometry)
+    carom_ini(${ini} ${key} ${key})
+  endforeach()
+  string(REPLACE " " ";" without "${without}")
+  set(x ${chapter}_${name})
+  set(graders ${PROJECT_SOURCE_DIR}/tests/graders/${chapter})
+  set(test_source ${graders}/${name}_test.cpp)
+  set(seam_source ${graders}/${name}_seam.cpp)
+  foreach(required ${test_source})
+    if(NOT EXISTS ${required})
+      message(FATAL_ERROR "${ini}: the exercise has no ${required}")
+    endif()
+  endforeach()
+
+  set(layer_targets carom::core)
+  carom_layer_closure(${layer} closure)
+  foreach(used IN LISTS closure ITEMS ${layer})
+    if(TARGET carom_${used})
+      list(APPEND layer_targets carom::${used})
+    endif()
+  endforeach()
+  set(includes ${PROJECT_SOURCE_DIR}/lib ${PROJECT_SOURCE_DIR}/${home} ${PROJECT_SOURCE_DIR}/tests)
+
+  function(carom_exercise_object target source)
+    add_library(${target} OBJECT EXCLUDE_FROM_ALL ${source})
+    target_link_libraries(${target} PRIVATE carom_own_flags carom_catch)
+    target_include_directories(${target} PRIVATE ${includes})
+    target_compile_definitions(${target} PRIVATE ${ARGN})
+    target_compile_options(${target} PRIVATE -O1)
+  endfunction()
+
+  carom_exercise_object(${x}_test ${test_source})
+  if(kind STREQUAL "predict")
+    add_executable(grader_${x} EXCLUDE_FROM_ALL $<TARGET_OBJECTS:${x}_test> $<TARGET_OBJECTS:carom_grading>
+                   $<TARGET_OBJECTS:carom_catch_main>)
+    target_link_libraries(grader_${x} PRIVATE carom_own_flags carom_catch ${layer_targets})
+    set(link_objects "")
+    set(trusted $<TARGET_FILE:grader_${x}>)
+    add_dependencies(graders grader_${x})
+    set(entry_extra "")
+  else()
+    if(NOT EXISTS ${seam_source})
+      message(FATAL_ERROR "${ini}: the exercise has no ${seam_source}")
+    endif()
+    carom_exercise_object(${x}_proxy ${seam_source} CAROM_SEAM_PROXY)
+    carom_exercise_object(${x}_child ${seam_source} CAROM_SEAM_CHILD)
+    carom_exercise_object(${x}_lazy ${seam_source} CAROM_SEAM_LAZY)
+
+    # The stage: what the answer may stand on.
+    set(stage_objects $<TARGET_OBJECTS:carom_variant_library>)
+    foreach(used IN LISTS closure ITEMS ${layer})
+      if(TARGET carom_${used})
+        carom_layer_objects(${used} "${name};${without}" objects)
+        list(APPEND stage_objects ${objects})
+      endif()
+    endforeach()
+    add_library(stage_${x} STATIC EXCLUDE_FROM_ALL ${stage_objects})
+    set_target_properties(stage_${x} PROPERTIES LINKER_LANGUAGE CXX)
+
+    add_executable(grader_${x} EXCLUDE_FROM_ALL $<TARGET_OBJECTS:${x}_test> $<TARGET_OBJECTS:${x}_proxy>
+                   $<TARGET_OBJECTS:carom_grading> $<TARGET_OBJECTS:carom_catch_main>)
+    target_link_libraries(grader_${x} PRIVATE carom_own_flags carom_catch stage_${x})
+    add_executable(lazy_${x} EXCLUDE_FROM_ALL $<TARGET_OBJECTS:${x}_lazy> $<TARGET_OBJECTS:${x}_child>
+                   $<TARGET_OBJECTS:carom_serve>)
+    target_link_libraries(lazy_${x} PRIVATE carom_own_flags stage_${x})
+    add_dependencies(graders grader_${x} lazy_${x})
+
+    string(REGEX REPLACE ".*/" "" group ${home})
+    add_dependencies(grader_${x} carom_seam_${group}_${name} stage_${x})
+    set(entry_extra ",
+      \"test_objects\": [\"$<JOIN:$<TARGET_OBJECTS:${x}_test>,\",\">\"],
+      \"child_objects\": [\"$<JOIN:$<TARGET_OBJECTS:${x}_child>,\",\">\"],
+      \"library_object\": \"$<TARGET_OBJECTS:carom_seam_${group}_${name}>\",
+      \"stage\": \"$<TARGET_FILE:stage_${x}>\",
+      \"lazy\": \"$<TARGET_FILE:lazy_${x}>\"")
+    # The student's file in compile_commands.json, so that editors understand it. Never part of the default build.
+    if(EXISTS ${PROJECT_SOURCE_DIR}/exercises/${chapter}/${name}.cpp)
+      add_library(exercise_${x} OBJECT EXCLUDE_FROM_ALL ${PROJECT_SOURCE_DIR}/exercises/${chapter}/${name}.cpp)
+      target_link_libraries(exercise_${x} PRIVATE carom_flags)
+      target_include_directories(exercise_${x} PRIVATE ${PROJECT_SOURCE_DIR}/lib ${PROJECT_SOURCE_DIR}/${home})
+    endif()
+  endif()
+  # cmake --build build/default --target check_<id>
+  add_custom_target(check_${id} COMMAND carom_runner --root ${PROJECT_SOURCE_DIR} --build ${PROJECT_BINARY_DIR}
+                    --plain check ${id} USES_TERMINAL DEPENDS grader_${x} VERBATIM)
+
+  set(no_geometry false)
+  if(geometry STREQUAL "none")
+    set(no_geometry true)
+  endif()
+  set_property(GLOBAL APPEND_STRING PROPERTY CAROM_MANIFEST_EXERCISES "
+    \"${id}\": {
+      \"target\": \"grader_${x}\",
+      \"trusted\": \"$<TARGET_FILE:grader_${x}>\",
+      \"home\": \"${PROJECT_SOURCE_DIR}/${home}\",
+      \"no_geometry\": ${no_geometry}${entry_extra}
+    },")
+endfunction()
+
+# The manifest: one JSON file that says how this build compiles and links. Written when CMake generates.
 function(carom_write_manifest)
+  get_property(program_targets GLOBAL PROPERTY CAROM_PROGRAM_TARGETS)
+  add_dependencies(course_ready ${program_targets})
+  if(TARGET carom_cli)
+    add_dependencies(course_ready carom_cli)
+  endif()
+  set(programs "")
+  get_property(all_programs GLOBAL PROPERTY CAROM_PROGRAMS)
+  foreach(program IN LISTS all_programs)
+    string(REPLACE "/" "_" target ${program})
+    get_property(seams GLOBAL PROPERTY CAROM_PROGRAM_SEAMS_${program})
+    string(REGEX REPLACE "/.*" "" chapter ${program})
+    set(seam_entries "")
+    foreach(seam IN LISTS seams)
+      string(APPEND seam_entries "\"${seam}\": \"$<TARGET_OBJECTS:carom_seam_${chapter}_${seam}>\",")
+    endforeach()
+    string(REGEX REPLACE ",$" "" seam_entries "${seam_entries}")
+    string(APPEND programs "
+    \"${program}\": {
+      \"target\": \"${target}\",
+      \"executable\": \"$<TARGET_FILE:${target}>\",
+      \"objects\": [\"$<JOIN:$<TARGET_OBJECTS:${target}_objects>,\",\">\"],
+      \"seams\": {${seam_entries}}
+    },")
+  endforeach()
+  string(REGEX REPLACE ",$" "" programs "${programs}")
+
+  set(seam_objects "")
+  set(layer_objects "")
+  get_property(layers GLOBAL PROPERTY CAROM_DECLARED_LAYERS)
+  foreach(layer IN LISTS layers)
+    get_property(seams GLOBAL PROPERTY CAROM_SEAMS_${layer})
+    foreach(seam IN LISTS seams)
+      string(APPEND seam_objects "\"${seam}\": \"$<TARGET_OBJECTS:carom_seam_${layer}_${seam}>\",")
+    endforeach()
+    get_property(sources GLOBAL PROPERTY CAROM_HAS_SOURCES_${layer})
+    if(sources)
+      string(APPEND layer_objects "\"$<JOIN:$<TARGET_OBJECTS:carom_objects_${layer}>,\",\">\",")
+    endif()
+  endforeach()
+  string(REGEX REPLACE ",$" "" seam_objects "${seam_objects}")
+  string(REGEX REPLACE ",$" "" layer_objects "${layer_objects}")
+
+  get_property(exercises GLOBAL PROPERTY CAROM_MANIFEST_EXERCISES)
+  string(REGEX REPLACE ",$" "" exercises "${exercises}")
+  set(catch_library "")
+  if(Catch2_VERSION_MAJOR GREATER_EQUAL 3)
+    set(catch_library "\"$<TARGET_FILE:Catch2::Catch2>\"")
+  endif()
+  set(cli "")
+  if(TARGET carom_cli)
+    set(cli $<TARGET_FILE:carom_cli>)
+  endif()
+  set(all_flags -std=c++20)
+  if(CMAKE_CXX_FLAGS)
+    separate_arguments(flag_list NATIVE_COMMAND "${CMAKE_CXX_FLAGS}")
+    list(APPEND all_flags ${flag_list})
+  endif()
+  string(REPLACE ";" "\",\"" all_flags "${all_flags}")
+  file(GENERATE OUTPUT ${PROJECT_BINARY_DIR}/course.json CONTENT "{
+  \"version\": 1,
+  \"compiler\": \"${CMAKE_CXX_COMPILER}\",
+  \"launcher\": \"${CMAKE_CXX_COMPILER_LAUNCHER}\",
+  \"compiler_id\": \"${CMAKE_CXX_COMPILER_ID}\",
+  \"nm\": \"${CMAKE_NM}\",
+  \"cmake\": \"${CMAKE_COMMAND}\",
+  \"flags\": [\"${all_flags}\",\"$<JOIN:$<TARGET_PROPERTY:carom_flags,INTERFACE_COMPILE_OPTIONS>,\",\">\"],
+  \"definitions\": [\"$<JOIN:$<TARGET_PROPERTY:carom_flags,INTERFACE_COMPILE_DEFINITIONS>,\",\">\"],
+  \"includes\": [\"${PROJECT_SOURCE_DIR}/lib\"],
+  \"system_includes\": [\"$<JOIN:$<TARGET_PROPERTY:Eigen3::Eigen,INTERFACE_INCLUDE_DIRECTORIES>,\",\">\"],
+  \"no_geometry_include\": \"${PROJECT_SOURCE_DIR}/tests/grading/no_geometry\",
+  \"grading_objects\": [\"$<JOIN:$<TARGET_OBJECTS:carom_grading>,\",\">\",\"$<TARGET_OBJECTS:carom_catch_main>\"],
+  \"serve_objects\": [\"$<JOIN:$<TARGET_OBJECTS:carom_serve>,\",\">\"],
+  \"catch_libraries\": [${catch_library}],
+  \"variant_library\": \"$<TARGET_OBJECTS:carom_variant_library>\",
+  \"variant_mine\": \"$<TARGET_OBJECTS:carom_variant_mine>\",
+  \"seam_objects\": {${seam_objects}},
+  \"layer_objects\": [${layer_objects}],
+  \"io_library\": \"$<TARGET_FILE:carom_io>\",
+  \"io_links\": [\"-lz\"],
+  \"cli\": \"${cli}\",
+  \"programs\": {${programs}
+  },
+  \"exercises\": {${exercises}
+  }
+}
+")
 endfunction()

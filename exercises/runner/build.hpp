@@ -1,0 +1,53 @@
+#pragma once
+// From a submission's source file to something that can be run.
+
+#include "grading/process.hpp"
+#include "runner/manifest.hpp"
+#include "runner/screen.hpp"
+
+namespace carom::runner {
+
+/// A folder of its own for the files of one check, removed with the object.
+class WorkFolder {
+ public:
+  explicit WorkFolder(const Project& project);
+  ~WorkFolder();
+  WorkFolder(const WorkFolder&) = delete;
+  WorkFolder& operator=(const WorkFolder&) = delete;
+  const fs::path& path() const {
+    return path_;
+  }
+
+ private:
+  fs::path path_;
+};
+
+struct Compiled {
+  fs::path object;
+  bool ok = false;
+  std::string firstError;  ///< file:line:column: message, with the source line
+  std::string plain;       ///< the same in a plain sentence, for the commonest mistakes
+  std::string full;        ///< everything that the compiler said
+  int warnings = 0;
+  double seconds = 0;
+};
+
+/// Compiles one file as the answer to an exercise, with limits on time and memory.
+Compiled compileSubmission(const Project& project, const Exercise& exercise, const fs::path& source,
+                           const fs::path& folder);
+
+/// Links the submission with the tests (self-check). \throws Failure (ourFault) when the link fails
+fs::path linkSelfCheck(const Project& project, const Exercise& exercise, const fs::path& object,
+                       const fs::path& folder);
+
+/// Links the submission with the program that answers the pipe (grading).
+fs::path linkChild(const Project& project, const Exercise& exercise, const fs::path& object,
+                   const fs::path& folder);
+
+/// Links a chapter's program with the submission's function in place of the library's.
+/// \param replaced objects by seam name
+fs::path linkProgram(const Project& project, const std::string& program,
+                     const std::vector<std::pair<std::string, fs::path>>& replaced,
+                     const fs::path& folder);
+
+}  // namespace carom::runner

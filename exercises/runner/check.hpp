@@ -1,0 +1,68 @@
+#pragma once
+// Asks the grader's questions of a submission and says what came of it.
+
+#include "runner/build.hpp"
+
+namespace carom::runner {
+
+/// The words for how a check ended. "wrong", "stopped" and "not started" are different things to a student.
+enum class Status { passed, wrong, notStarted, stopped, notRun, refused, doesNotCompile, ourFault };
+const char* nameOf(Status status);
+
+struct CheckResult {
+  std::string name;
+  std::string title;
+  double points = 0;
+  Status status = Status::notRun;
+  nlohmann::json failure;  ///< the first question that was answered wrong (see grading/grade.cpp)
+  int othersWrong = 0;     ///< further wrong answers in the same check
+  std::string reason;      ///< for stopped and our fault: what happened
+  std::string output;      ///< what the submission printed
+  double seconds = 0;
+};
+
+struct ExerciseResult {
+  const Exercise* exercise = nullptr;
+  Status status = Status::notRun;
+  std::vector<CheckResult> checks;
+  std::string wrongName;  ///< the misconception that explains all answers, if exactly one does
+  std::string wrongSays;
+  std::string wrongRead;
+  int probes = 0;  ///< number of probes on which it was compared
+  Compiled compiled;
+  Screening screening;
+  std::string reason;
+  double seconds = 0;
+
+  int passed() const;
+  double points() const;
+  int exitCode() const;
+};
+
+struct CheckOptions {
+  fs::path source;              ///< the submission; empty: the student's file
+  bool throughPipe = false;     ///< grading: the tests are one process, the submission another
+  std::string lazy;             ///< zero, one, echo: ask the lazy child instead of a submission
+  bool libraryVersion = false;  ///< ask the library's own function
+  bool fingerprint = true;      ///< look for the misconception
+  bool screen = true;
+  std::uint64_t seed = 0;  ///< 0: the fixed seed of self-checks
+};
+
+ExerciseResult checkExercise(const Project& project, const Exercise& exercise,
+                             const CheckOptions& options);
+
+/// The answers of a version to the grader's probes; empty when it did not answer them all.
+std::vector<std::vector<double>> probeAnswers(const Project& project, const Exercise& exercise,
+                                              const CheckOptions& options);
+
+/// True when two versions gave the same answers, to 1e-9 of their size.
+bool sameAnswers(const std::vector<std::vector<double>>& a,
+                 const std::vector<std::vector<double>>& b);
+
+/// The file of fingerprints of an exercise, relative to the project.
+fs::path fingerprintFile(const Exercise& exercise);
+
+nlohmann::json toJson(const ExerciseResult& result);
+
+}  // namespace carom::runner

@@ -1,0 +1,537 @@
+// The course runner: what ./course hands over to once the project is built.
+
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdlib>
+#include <iostream>
+
+#include "runner/develop.hpp"
+#include "runner/skeleton.hpp"
+#include "runner/view.hpp"
+#include "runner/watch.hpp"
+
+using namespace carom::runner;
+using nlohmann::json;
+namespace grading = carom::grading;
+
+namespace {
+
+struct Options {
+  std::string root;
+  std::string build;
+  bool json = false;
+  bool plain = false;
+  std::string what;
+  std::string second;
+  std::string file;
+  std::string junit;
+  bool pipe = false;
+  bool mine = false;
+  bool force = false;
+  int number = 0;
+  std::vector<std::string> rest;
+};
+
+std::vector<std::string> targetsOf(const Project& project,
+                                   const std::vector<const Exercise*>& which) {
+  std::vector<std::string> targets;
+  for (const auto* e : which) targets.push_back(project.entry(*e).at("target").get<std::string>());
+  return targets;
+}
+
+void buildGraders(const Project& project, const std::vector<const Exercise*>& which, bool quiet) {
+  buildTargets(project, targetsOf(project, which), quiet);
+}
+
+std::string xml(const std::string& text) {
+  std::string out;
+  for (const char c : text) {
+    switch (c) {
+      case '<':
+        out += "&lt;";
+        break;
+      case '>':
+        out += "&gt;";
+        break;
+      case '&':
+        out += "&amp;";
+        break;
+      case '"':
+        out += "&quot;";
+        break;
+      default:
+        // XML has no way to write control characters.
+        out += static_cast<unsigned char>(c) < 0x20 && c != '\n' && c != '\t' ? '?' : c;
+    }
+  }
+  return out;
+}
+
+void writeJunit(const fs::path& file, const std::vector<ExerciseResult>& results) {
+  std::string text = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n";
+  for (const auto& r : results) {
+    text += "<testsuite name=\"" + xml(r.exercise->id) + "\" tests=\"" +
+            std::to_string(r.checks.size()) + "\" failures=\"" +
+            std::to_string(r.checks.size() - static_cast<std::size_t>(r.passed())) + "\">\n";
+    for (const auto& c : r.checks) {
+      text += "  <testcase classname=\"" + xml(r.exercise->id) + "\" name=\"" + xml(c.title) + "\"";
+      if (c.status == Status::passed) {
+        text += "/>\n";
+      } else {
+        const std::string got = c.failure.is_object()
+                                    ? "got " + c.failure.value("got", "") + ", expected " +
+                                          c.failure.value("expected", "")
+                                    : c.reason;
+        text += "><failure message=\"" + xml(nameOf(c.status)) + "\">" + xml(got) +
+                "</failure></testcase>\n";
+      }
+    }
+    text += "</testsuite>\n";
+  }
+  writeFile(file, text + "</testsuites>\n");
+}
+
+int check(Project& project, const Options& o, const View& view) {
+  State state(project.root);
+  std::vector<const Exercise*> which;
+  if (o.what.empty()) {
+    const Exercise* next = nextExercise(project, state);
+    if (!next) {
+      std::cout << "Every exercise is done.\n";
+      return Exit::pass;
+    }
+    which = {next};
+  } else {
+    which = project.select(o.what);
+  }
+  if (!o.file.empty() && which.size() != 1) throw Failure{usage, "--file needs one exercise"};
+  if (which.empty()) throw Failure{usage, "chapter " + o.what + " has no exercises yet"};
+  buildGraders(project, which, o.json);
+  std::vector<ExerciseResult> results;
+  int exitCode = Exit::pass;
+  json all = json::array();
+  for (const auto* e : which) {
+    results.push_back(
+        checkExercise(project, *e, {.source = o.file, .throughPipe = o.pipe, .lazy = {}}));
+    const auto& result = results.back();
+    if (o.file.empty()) state.remember(project, result);
+    // The worst outcome of several is the exit code of all; one alone keeps its own.
+    exitCode =
+        which.size() == 1 ? result.exitCode() : std::max(exitCode, result.exitCode() == 0 ? 0 : 1);
+    if (o.json) {
+      all.push_back(toJson(result));
+    } else {
+      const int left = static_cast<int>(e->hints.size()) - state.hintsSeen(e->id);
+      std::cout << describe(result, project, view, left) << std::flush;
+    }
+  }
+  state.save();
+  if (o.json) std::cout << (which.size() == 1 && o.what != "all" ? all[0] : all).dump(1) << "\n";
+  if (!o.junit.empty()) writeJunit(o.junit, results);
+  return exitCode;
+}
+
+int runProgram(const fs::path& program, const fs::path& folder, const Project& project) {
+  fs::create_directories(folder);
+  grading::Command command;
+  command.words = {program.string(), folder.string()};
+  command.limits = {.wallSeconds = 0, .cpuSeconds = 0, .outputKilobytes = 0};
+  command.inheritOutput = true;
+  std::cout << std::flush;
+  const auto before = fs::file_time_type::clock::now();
+  const auto done = grading::run(command);
+  if (!done.ok()) {
+    std::cout << program.filename().string() << " " << done.end << "\n";
+    return Exit::stopped;
+  }
+  std::vector<std::string> pictures;
+  for (const auto& file : fs::directory_iterator(folder)) {
+    if (file.last_write_time() >= before - std::chrono::seconds(1)) {
+      pictures.push_back(fs::relative(file.path(), project.root).string());
+    }
+  }
+  std::sort(pictures.begin(), pictures.end());
+  for (const auto& picture : pictures) std::cout << "wrote " << picture << "\n";
+  return Exit::pass;
+}
+
+// Objects of the student's finished functions, by seam.
+std::vector<std::pair<std::string, fs::path>> compileMine(const Project& project,
+                                                          const WorkFolder& folder) {
+  std::vector<std::pair<std::string, fs::path>> mine;
+  for (const auto& e : project.exercises) {
+    if (e.isPrediction() || e.kind == "test" || isSkeleton(project, e)) continue;
+    const auto content = readIfThere(project.root / e.studentFile());
+    if (!content || content->find("todo<") != std::string::npos) continue;
+    const auto compiled =
+        compileSubmission(project, e, project.root / e.studentFile(), folder.path());
+    if (!compiled.ok) {
+      std::cout << e.id << " does not compile and is left out:\n" << compiled.firstError << "\n";
+      continue;
+    }
+    std::cout << "with your " << e.id << "\n";
+    mine.emplace_back(e.name, compiled.object);
+  }
+  return mine;
+}
+
+int run(const Project& project, const Options& o) {
+  const std::string chapter = project.chapterFolder(o.what);
+  std::vector<std::string> programs;
+  for (const auto& [name, entry] : project.manifest.at("programs").items()) {
+    if (name.starts_with(chapter + "/") && (o.second.empty() || name == chapter + "/" + o.second))
+      programs.push_back(name);
+  }
+  if (programs.empty()) {
+    throw Failure{usage, o.second.empty()
+                             ? "chapter " + chapter + " has no programs yet"
+                             : "chapter " + chapter + " has no program '" + o.second + "'"};
+  }
+  if (o.second.empty() && programs.size() > 1) {
+    std::cout << "Programs of " << chapter << ":\n";
+    for (const auto& name : programs) {
+      std::cout << "  ./course run " << o.what << " " << name.substr(chapter.size() + 1) << "\n";
+    }
+    return Exit::pass;
+  }
+  std::vector<std::string> targets;
+  for (const auto& name : programs)
+    targets.push_back(project.manifest.at("programs").at(name).at("target").get<std::string>());
+  buildTargets(project, targets, false);
+  int exitCode = Exit::pass;
+  for (const auto& name : programs) {
+    const fs::path folder = project.build / "runs" / name;
+    if (o.mine) {
+      const WorkFolder work(project);
+      const fs::path program = linkProgram(project, name, compileMine(project, work), work.path());
+      exitCode = std::max(exitCode, runProgram(program, folder, project));
+    } else {
+      exitCode = std::max(
+          exitCode,
+          runProgram(project.manifest.at("programs").at(name).at("executable").get<std::string>(),
+                     folder, project));
+    }
+  }
+  return exitCode;
+}
+
+int play(const Project& project, const Options& o) {
+  const Exercise& e = project.find(o.what);
+  if (e.program.empty() || e.isPrediction()) throw Failure{usage, e.id + " has no program to play"};
+  buildTargets(
+      project,
+      {project.manifest.at("programs").at(e.program).at("target").get<std::string>(), "carom_io"},
+      false);
+  const WorkFolder work(project);
+  const auto compiled = compileSubmission(project, e, project.root / e.studentFile(), work.path());
+  if (!compiled.ok) {
+    std::cout << compiled.firstError << "\n";
+    return Exit::doesNotCompile;
+  }
+  std::cout << e.program << " on your " << e.studentFile().string() << "\n";
+  const fs::path program =
+      linkProgram(project, e.program, {{e.name, compiled.object}}, work.path());
+  return runProgram(program, project.build / "runs" / ("play-" + e.id), project);
+}
+
+int hint(const Project& project, const Options& o) {
+  State state(project.root);
+  const Exercise* e = o.what.empty() ? nextExercise(project, state) : &project.find(o.what);
+  if (!e) return Exit::pass;
+  const int number = o.number > 0
+                         ? o.number
+                         : std::min(state.hintsSeen(e->id) + 1, static_cast<int>(e->hints.size()));
+  if (number < 1 || number > static_cast<int>(e->hints.size())) {
+    throw Failure{usage, e->id + " has hints 1 to " + std::to_string(e->hints.size())};
+  }
+  if (o.json) {
+    std::cout << json{{"id", e->id},
+                      {"number", number},
+                      {"of", e->hints.size()},
+                      {"text", e->hints[static_cast<std::size_t>(number) - 1]}}
+                     .dump(1)
+              << "\n";
+  } else {
+    std::cout << hintText(*e, number);
+  }
+  state.sawHint(e->id, number);
+  state.save();
+  return Exit::pass;
+}
+
+int solution(const Project& project, const Options& o, const View& view) {
+  const Exercise& e = project.find(o.what);
+  State state(project.root);
+  if (state.statusOf(project, e) != Status::passed && !o.force) {
+    std::cout << "The solution is shown after a pass. ./course solution " << e.id
+              << " --give-up shows it now.\n";
+    return Exit::checkFailed;
+  }
+  const auto source = readIfThere(e.folder / e.fileName());
+  if (!source) throw Failure{usage, "this copy of the course holds no solutions"};
+  std::cout << view.strong("A worked answer") << "\n" << cutAnswer(*source, e.fileName()) << "\n";
+  std::cout << readIfThere(e.folder / "why.md").value_or("");
+  return Exit::pass;
+}
+
+int status(const Project& project, const Options& o, const View& view) {
+  const State state(project.root);
+  int done = 0;
+  for (const auto& e : project.exercises) done += state.statusOf(project, e) == Status::passed;
+  const Exercise* next = nextExercise(project, state);
+  if (o.json) {
+    std::cout << json{{"done", done},
+                      {"of", project.exercises.size()},
+                      {"next", next ? json(next->id) : json()}}
+                     .dump(1)
+              << "\n";
+    return Exit::pass;
+  }
+  std::cout << done << " of " << project.exercises.size() << " exercises done.\n";
+  if (next) {
+    std::cout << "Next: " << view.strong(next->id + "  " + next->title) << "\n"
+              << "  ./course show " << next->id << "    what it asks\n"
+              << "  edit " << next->studentFile().string() << "\n"
+              << "  ./course check " << next->id
+              << "   or ./course watch, which checks each time you save\n";
+  }
+  return Exit::pass;
+}
+
+int start(const Project& project, const Options& o, const View& view) {
+  buildTargets(project, {"course_ready"}, false);
+  std::cout << view.strong("The first lesson: two billiard balls") << "\n\n";
+  Options first = o;
+  first.what = "0";
+  first.second = "first_collision";
+  const int exitCode = run(project, first);
+  std::cout << "\nOpen the .html file above in a browser: it plays by double-click.\n\n";
+  status(project, o, view);
+  return exitCode;
+}
+
+int doctor(const Project& project, const Options& o) {
+  struct Finding {
+    std::string what, found, advice;
+    bool good;
+  };
+  std::vector<Finding> findings;
+  auto tool = [&](const char* name, const char* package, bool needed) {
+    grading::Command command;
+    command.words = {name, "--version"};
+    const auto done = grading::run(command);
+    const auto lines = splitLines(done.output);
+    findings.push_back({name, done.ok() && !lines.empty() ? lines[0] : "missing",
+                        done.ok() ? "" : std::string("install ") + package, done.ok() || !needed});
+  };
+  tool(project.text("compiler").c_str(), "g++", true);
+  tool(project.text("cmake").c_str(), "cmake", true);
+  tool("ninja", "ninja-build", true);
+  tool("git", "git", true);
+  tool("gnuplot", "gnuplot-nox", true);
+  tool("doxygen", "doxygen", false);
+  tool("chromium", "chromium", false);
+  tool("bwrap", "bubblewrap", false);
+  std::error_code error;
+  fs::create_directories(project.root / ".carom", error);
+  const bool writable = access(project.root.c_str(), W_OK) == 0 && !error;
+  findings.push_back({"writing here", writable ? "yes" : "no",
+                      writable ? "" : "the project's folder must be writable", writable});
+  const std::string path = project.root.string();
+  const bool plainPath =
+      std::all_of(path.begin(), path.end(), [](unsigned char c) { return c > 32 && c < 127; });
+  findings.push_back(
+      {"path", path, plainPath ? "" : "blanks and accents in the path confuse some tools", true});
+  findings.push_back({"exercises", std::to_string(project.exercises.size()),
+                      project.problems.empty() ? "" : project.problems.front(),
+                      project.problems.empty()});
+  bool allGood = true;
+  json rows = json::array();
+  for (const auto& f : findings) {
+    allGood &= f.good;
+    rows.push_back({{"what", f.what}, {"found", f.found}, {"good", f.good}, {"advice", f.advice}});
+    if (!o.json)
+      std::cout << (f.good ? "  ok  " : "  NOT ") << f.what << ": " << f.found
+                << (f.advice.empty() ? "" : "   (" + f.advice + ")") << "\n";
+  }
+  if (o.json) std::cout << json{{"ok", allGood}, {"findings", rows}}.dump(1) << "\n";
+  return allGood ? Exit::pass : Exit::ourFault;
+}
+
+int devCheck(const Project& project, const Options& o) {
+  const auto which = project.select(o.what.empty() ? "all" : o.what);
+  std::vector<std::string> targets = {"graders"};
+  for (const auto* e : which) {
+    if (!e->program.empty() && project.manifest.at("programs").contains(e->program)) {
+      targets.push_back(
+          project.manifest.at("programs").at(e->program).at("target").get<std::string>());
+    }
+  }
+  buildTargets(project, targets, o.json);
+  const json result = checkAll(project, which, !o.json);
+  if (o.json) {
+    std::cout << result.dump(1) << "\n";
+  } else {
+    for (const auto& problem : result["problems"]) std::cout << problem.get<std::string>() << "\n";
+    std::cout << result["exercises"].size() << " exercises, " << result["problems"].size()
+              << " problems\n";
+  }
+  return result["problems"].empty() ? Exit::pass : Exit::checkFailed;
+}
+
+int devSync(const Project& project, const Options& o) {
+  const auto which = project.select(o.what.empty() ? "all" : o.what);
+  buildGraders(project, which, true);
+  for (const auto& problem : project.problems) std::cerr << problem << "\n";
+  for (const auto& file : syncExercises(project, which, o.force))
+    std::cout << "wrote " << file << "\n";
+  return project.problems.empty() ? Exit::pass : Exit::checkFailed;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app{"Carom: learn how collisions of rigid bodies are simulated"};
+  app.name("course");
+  Options o;
+  app.add_option("--root", o.root)->group("");
+  app.add_option("--build", o.build)->group("");
+  app.add_flag("--json", o.json, "Answer in JSON");
+  app.add_flag("--plain", o.plain, "No colour (so it is already where there is no terminal)");
+  app.fallthrough();
+
+  auto* startVerb =
+      app.add_subcommand("start", "Set everything up, run the first lesson, show what comes next");
+  auto* listVerb = app.add_subcommand("list", "All exercises and what is done");
+  listVerb->add_option("chapter", o.what, "Only this chapter");
+  auto* showVerb = app.add_subcommand("show", "What an exercise asks");
+  showVerb->add_option("id", o.what)->required();
+  auto* checkVerb = app.add_subcommand(
+      "check", "Check an exercise, a chapter, or all; without a name, the next one");
+  checkVerb->add_option("what", o.what);
+  checkVerb->add_option("--file", o.file, "Check this file instead of the one in exercises/");
+  checkVerb->add_flag("--pipe", o.pipe, "As when graded: the answer runs in a process of its own");
+  checkVerb->add_option("--junit", o.junit, "Write a JUnit report to this file");
+  auto* watchVerb = app.add_subcommand("watch", "Check each time the file is saved");
+  watchVerb->add_option("id", o.what);
+  auto* hintVerb = app.add_subcommand("hint", "The next hint, or a given one");
+  hintVerb->add_option("id", o.what);
+  hintVerb->add_option("number", o.number);
+  auto* solutionVerb =
+      app.add_subcommand("solution", "A worked answer and why it is written so, after a pass");
+  solutionVerb->add_option("id", o.what)->required();
+  solutionVerb->add_flag("--give-up", o.force, "Show it now");
+  auto* resetVerb =
+      app.add_subcommand("reset", "Put the skeleton back; your file is kept as a copy");
+  resetVerb->add_option("id", o.what)->required();
+  auto* runVerb = app.add_subcommand("run", "Run a chapter's program");
+  runVerb->add_option("chapter", o.what)->required();
+  runVerb->add_option("program", o.second);
+  runVerb->add_flag("--mine", o.mine, "On the functions that you have written");
+  auto* playVerb = app.add_subcommand("play", "Run the exercise's program on your function");
+  playVerb->add_option("id", o.what)->required();
+  auto* doctorVerb = app.add_subcommand("doctor", "What is installed, what is missing");
+  auto* developVerb = app.add_subcommand("dev", "For authors of exercises");
+  auto* newVerb = developVerb->add_subcommand("new", "Files of a new exercise");
+  newVerb->add_option("chapter", o.what)->required();
+  newVerb->add_option("name", o.second)->required();
+  auto* syncVerb =
+      developVerb->add_subcommand("sync", "Cut skeletons and measure fingerprints anew");
+  syncVerb->add_option("what", o.what);
+  syncVerb->add_flag("--force", o.force, "Also over files that have been edited");
+  auto* proveVerb =
+      developVerb->add_subcommand("check", "Prove that every exercise does what it should");
+  proveVerb->add_option("what", o.what);
+  developVerb->require_subcommand(1);
+  // Handled by the script ./course; listed here for --help.
+  app.add_subcommand("test", "Build everything and run all tests");
+  app.add_subcommand("docs", "Build the site");
+  app.add_subcommand("carom", "Run the program carom: ./course carom mass FILE");
+
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? static_cast<int>(Exit::pass) : static_cast<int>(Exit::usage);
+  }
+  const View view{.colour = !o.plain && !o.json && isatty(1) && !std::getenv("NO_COLOR")};
+  try {
+    Project project =
+        openProject(o.root.empty() ? fs::current_path() : fs::path(o.root),
+                    o.build.empty() ? fs::current_path() / "build/default" : fs::path(o.build));
+    if (*startVerb) return start(project, o, view);
+    if (*listVerb) {
+      const State state(project.root);
+      const auto which = project.select(o.what.empty() ? "all" : o.what);
+      if (o.json) {
+        json rows = json::array();
+        for (const auto* e : which) {
+          rows.push_back({{"id", e->id},
+                          {"title", e->title},
+                          {"kind", e->kind},
+                          {"level", e->level},
+                          {"minutes", e->minutes},
+                          {"points", e->points},
+                          {"file", e->studentFile().string()},
+                          {"status", nameOf(state.statusOf(project, *e))}});
+        }
+        std::cout << rows.dump(1) << "\n";
+      } else {
+        std::cout << listing(project, state, which, view);
+      }
+      return Exit::pass;
+    }
+    if (*showVerb) {
+      const Exercise& e = project.find(o.what);
+      if (o.json) {
+        json checks = json::array();
+        for (const auto& c : e.checks)
+          checks.push_back({{"name", c.name}, {"title", c.title}, {"points", c.points}});
+        std::cout << json{{"id", e.id},
+                          {"title", e.title},
+                          {"kind", e.kind},
+                          {"level", e.level},
+                          {"minutes", e.minutes},
+                          {"points", e.points},
+                          {"file", e.studentFile().string()},
+                          {"checks", checks},
+                          {"hints", e.hints.size()},
+                          {"statement", readIfThere(e.folder / "statement.md").value_or("")}}
+                         .dump(1)
+                  << "\n";
+      } else {
+        std::cout << statement(e, view);
+      }
+      return Exit::pass;
+    }
+    if (*checkVerb) return check(project, o, view);
+    if (*watchVerb) return watch(project, o.what.empty() ? nullptr : &project.find(o.what), view);
+    if (*hintVerb) return hint(project, o);
+    if (*solutionVerb) return solution(project, o, view);
+    if (*resetVerb) {
+      const Exercise& e = project.find(o.what);
+      const std::string backup = resetExercise(project, e);
+      std::cout << e.studentFile().string() << " is the skeleton again."
+                << (backup.empty() ? "" : " Your file is kept as " + backup) << "\n";
+      return Exit::pass;
+    }
+    if (*runVerb) return run(project, o);
+    if (*playVerb) return play(project, o);
+    if (*doctorVerb) return doctor(project, o);
+    if (*newVerb) {
+      newExercise(project, o.what, o.second);
+      return Exit::pass;
+    }
+    if (*syncVerb) return devSync(project, o);
+    if (*proveVerb) return devCheck(project, o);
+    return status(project, o, view);
+  } catch (const Failure& failure) {
+    if (o.json)
+      std::cout << json{{"error", failure.message}, {"exit", failure.exitCode}}.dump(1) << "\n";
+    std::cerr << failure.message << "\n";
+    return failure.exitCode;
+  } catch (const std::exception& error) {
+    std::cerr << "the course runner failed: " << error.what() << "\n";
+    return Exit::ourFault;
+  }
+}

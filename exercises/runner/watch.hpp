@@ -1,0 +1,21 @@
+#pragma once
+// Checks an exercise each time its file is saved.
+
+#include "runner/view.hpp"
+
+namespace carom::runner {
+
+/// Watches until q, end of input or Ctrl-C. Looks at time and size of one file four times a second: that works on
+/// every file system, which notification does not. Never jumps to another exercise by itself.
+int watch(Project& project, const Exercise* exercise, const View& view);
+
+/// The first exercise that has not been passed, or nothing.
+const Exercise* nextExercise(const Project& project, const State& state);
+
+/// The hint with this number, from 1.
+std::string hintText(const Exercise& exercise, int number);
+
+/// Puts the skeleton back and keeps what was there in .carom/backup. Returns where the copy is ("" if none).
+std::string resetExercise(const Project& project, const Exercise& exercise);
+
+}  // namespace carom::runner

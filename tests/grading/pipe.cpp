@@ -1,0 +1,176 @@
+// The grader's end of the pipe: starts the program that holds the submission, asks, and waits no longer than allowed.
+
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <cstring>
+
+#include "grading/process.hpp"
+#include "grading/seam.hpp"
+
+namespace carom::grading {
+
+namespace {
+
+// An answer larger than this is an attack on the grader's memory, not an answer.
+constexpr std::uint32_t kLargestAnswer = 64u << 20;
+
+int fromEnvironment(const char* name, int otherwise) {
+  const char* text = std::getenv(name);
+  return text ? std::atoi(text) : otherwise;
+}
+
+class Child : public Channel {
+ public:
+  Child() {
+    const char* program = std::getenv("CAROM_CHILD");
+    if (!program)
+      throw std::runtime_error("CAROM_CHILD does not name the program that holds the submission");
+    int question[2];
+    int answer[2];
+    if (pipe2(question, O_CLOEXEC) != 0 || pipe2(answer, O_CLOEXEC) != 0)
+      throw std::runtime_error("no pipe");
+    const char* lazy = std::getenv("CAROM_LAZY");
+    const std::string lazyEntry = std::string("CAROM_LAZY=") + (lazy ? lazy : "");
+    char* const environment[] = {const_cast<char*>(lazyEntry.c_str()), nullptr};
+    char* const words[] = {const_cast<char*>(program), nullptr};
+    Limits limits;
+    limits.cpuSeconds = fromEnvironment("CAROM_CPU_S", 5);
+    limits.memoryMegabytes = fromEnvironment("CAROM_MEM_MB", 1024);
+    limits.fileKilobytes = 1;
+    limits.processes = fromEnvironment("CAROM_PROCESSES", 0);
+    wallSeconds_ = fromEnvironment("CAROM_WALL_S", 3);
+    signal(SIGPIPE, SIG_IGN);
+    pid_ = fork();
+    if (pid_ < 0) throw std::runtime_error("no process");
+    if (pid_ == 0) {
+      setsid();
+      // The question pipe may itself sit on 3 or 4: move both ends out of the way first.
+      const int in = fcntl(question[0], F_DUPFD, 10);
+      const int out = fcntl(answer[1], F_DUPFD, 10);
+      const int nothing = open("/dev/null", O_RDWR);
+      dup2(nothing, 0);
+      dup2(nothing, 1);
+      dup2(nothing, 2);
+      dup2(in, 3);
+      dup2(out, 4);
+      for (int fd = 5; fd < 256; ++fd) close(fd);
+      applyLimits(limits);
+      execve(program, words, environment);
+      _exit(127);
+    }
+    close(question[0]);
+    close(answer[1]);
+    to_ = question[1];
+    from_ = answer[0];
+  }
+
+  ~Child() override {
+    if (pid_ > 0) stop();
+  }
+
+  void send(const std::string& bytes) override {
+    if (!stopped_.empty()) throw SubmissionStopped(stopped_);
+    const auto size = static_cast<std::uint32_t>(bytes.size());
+    std::string all(reinterpret_cast<const char*>(&size), sizeof size);
+    all += bytes;
+    deadline_ = Clock::now() + std::chrono::seconds(wallSeconds_);
+    // Both pipes are served together, or two large messages could wait for each other for ever.
+    fcntl(to_, F_SETFL, O_NONBLOCK);
+    for (std::size_t done = 0; done < all.size();) {
+      waitFor(to_, POLLOUT);
+      const ssize_t put = write(to_, all.data() + done, all.size() - done);
+      if (put < 0) {
+        if (errno == EAGAIN) continue;
+        fail();
+      }
+      done += static_cast<std::size_t>(put);
+    }
+  }
+
+  std::string receive() override {
+    std::uint32_t size = 0;
+    readAll(reinterpret_cast<char*>(&size), sizeof size);
+    if (size > kLargestAnswer) fail("answered with more than 64 MB");
+    std::string bytes;
+    // Grow with what really arrives: an announced size costs nothing.
+    char buffer[1 << 16];
+    while (bytes.size() < size) {
+      const std::size_t want = std::min<std::size_t>(size - bytes.size(), sizeof buffer);
+      readAll(buffer, want);
+      bytes.append(buffer, want);
+    }
+    return bytes;
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  void waitFor(int fd, short what) {
+    for (;;) {
+      const auto left =
+          std::chrono::duration_cast<std::chrono::milliseconds>(deadline_ - Clock::now()).count();
+      if (left <= 0) fail("did not answer within " + std::to_string(wallSeconds_) + " s");
+      pollfd watched{fd, what, 0};
+      const int ready = poll(&watched, 1, static_cast<int>(left));
+      if (ready > 0) return;
+      if (ready < 0 && errno != EINTR) fail();
+    }
+  }
+
+  void readAll(char* data, std::size_t size) {
+    while (size > 0) {
+      waitFor(from_, POLLIN);
+      const ssize_t got = read(from_, data, size);
+      if (got <= 0) fail();
+      data += got;
+      size -= static_cast<std::size_t>(got);
+    }
+  }
+
+  int stop() {
+    close(to_);
+    close(from_);
+    // Give a child that is about to end by itself the time to leave its own exit status.
+    int status = 0;
+    for (int i = 0; i < 50; ++i) {
+      if (waitpid(pid_, &status, WNOHANG) == pid_) {
+        killGroup(pid_);
+        pid_ = -1;
+        return status;
+      }
+      usleep(1000);
+    }
+    killGroup(pid_);
+    waitpid(pid_, &status, 0);
+    pid_ = -1;
+    return status;
+  }
+
+  [[noreturn]] void fail(std::string reason = "") {
+    const int status = stop();
+    stopped_ = !reason.empty() ? reason : describeEnd(status) + " instead of answering";
+    throw SubmissionStopped(stopped_);
+  }
+
+  pid_t pid_ = -1;
+  int to_ = -1;
+  int from_ = -1;
+  int wallSeconds_ = 3;
+  Clock::time_point deadline_{};
+  std::string stopped_;
+};
+
+}  // namespace
+
+Channel& submission() {
+  static Child child;
+  return child;
+}
+
+}  // namespace carom::grading

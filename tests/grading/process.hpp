@@ -1,0 +1,55 @@
+#pragma once
+// Runs a program that may be hostile: in a process group of its own, with limits, and with an end that is
+// described in words.
+
+#include <sys/types.h>
+
+#include <string>
+#include <vector>
+
+namespace carom::grading {
+
+/// What a child process may use. Zero means no limit.
+struct Limits {
+  double wallSeconds = 10;
+  int cpuSeconds = 10;
+  long memoryMegabytes = 0;   ///< address space; not for programs built with the address sanitizer
+  long fileKilobytes = 0;     ///< largest file it may write
+  long outputKilobytes = 64;  ///< what it may print before it is ended
+  int processes = 0;          ///< threads and processes of this user (does not bind root)
+};
+
+/// Takes over the limits in a process that is about to become the child. Wall time and output are its parent's work.
+void applyLimits(const Limits& limits);
+
+/// Says how a process ended: "crashed (segmentation fault)", "ended with exit code 3".
+std::string describeEnd(int waitStatus);
+
+/// Kills the process group and everything in it.
+void killGroup(pid_t leader);
+
+struct Finished {
+  int exitCode = -1;      ///< -1 when a signal ended it
+  bool timedOut = false;  ///< the wall clock ran out
+  bool tooMuchOutput = false;
+  std::string output;  ///< what it printed, both streams, as far as allowed
+  std::string end;     ///< how it ended, in words
+  double seconds = 0;
+  bool ok() const {
+    return exitCode == 0 && !timedOut && !tooMuchOutput;
+  }
+};
+
+struct Command {
+  std::vector<std::string> words;        ///< program and arguments
+  std::vector<std::string> environment;  ///< NAME=value, added to the parent's
+  std::string directory;                 ///< where to run; empty: here
+  Limits limits;
+  bool inheritOutput = false;  ///< print to our own streams instead of collecting
+  bool inheritInput = false;
+};
+
+/// Runs a command and waits for its end or its limits. Never throws for what the command does.
+Finished run(const Command& command);
+
+}  // namespace carom::grading

@@ -1,0 +1,91 @@
+// The program that holds a submission and answers the grader's questions.
+//
+// It knows no expected values and no Catch2: calls come in on file descriptor 3, answers go out on 4, each as
+// a length and so many bytes. It ends when the pipe closes.
+
+#include <unistd.h>
+#include <cfenv>
+#include <cstdio>
+#include <cstdlib>
+
+#include "grading/seam.hpp"
+
+namespace carom::grading {
+
+std::map<std::string, Handler>& handlers() {
+  static std::map<std::string, Handler> all;
+  return all;
+}
+
+Lazy lazyMode() {
+  const char* mode = std::getenv("CAROM_LAZY");
+  const std::string_view text = mode ? mode : "";
+  return text == "one" ? Lazy::one : text == "echo" ? Lazy::echo : Lazy::zero;
+}
+
+namespace {
+
+void readAll(char* data, std::size_t size) {
+  while (size > 0) {
+    const ssize_t got = read(3, data, size);
+    if (got <= 0) _exit(0);  // the grader has gone
+    data += got;
+    size -= static_cast<std::size_t>(got);
+  }
+}
+
+struct PipeChannel : Channel {
+  void send(const std::string& bytes) override {
+    const auto size = static_cast<std::uint32_t>(bytes.size());
+    std::string all(reinterpret_cast<const char*>(&size), sizeof size);
+    all += bytes;
+    for (std::size_t done = 0; done < all.size();) {
+      const ssize_t put = write(4, all.data() + done, all.size() - done);
+      if (put <= 0) _exit(0);
+      done += static_cast<std::size_t>(put);
+    }
+  }
+  std::string receive() override {
+    std::uint32_t size = 0;
+    readAll(reinterpret_cast<char*>(&size), sizeof size);
+    std::string bytes(size, '\0');
+    readAll(bytes.data(), size);
+    return bytes;
+  }
+};
+
+std::string exceptionMessage(Message kind, const char* text) {
+  Writer w;
+  w.put(kind);
+  w.put(std::string(text).substr(0, 2000));
+  return w.bytes;
+}
+
+std::string answer(const std::string& question, Channel& channel) {
+  Reader r{question};
+  r.take<Message>();
+  const auto handler = handlers().find(r.take<std::string>());
+  if (handler == handlers().end()) return exceptionMessage(Message::threw, "no such function");
+  // Each call starts from the same floating-point state, whatever the last one left behind.
+  std::feclearexcept(FE_ALL_EXCEPT);
+  std::fesetround(FE_TONEAREST);
+  try {
+    return handler->second(r, channel);
+  } catch (const NotAttempted& e) {
+    return exceptionMessage(Message::notAttempted, e.what());
+  } catch (const InvalidInput& e) {
+    return exceptionMessage(Message::invalidInput, e.what());
+  } catch (const std::exception& e) {
+    return exceptionMessage(Message::threw, e.what());
+  } catch (...) {
+    return exceptionMessage(Message::threw, "an object that is not a std::exception");
+  }
+}
+
+}  // namespace
+}  // namespace carom::grading
+
+int main() {
+  carom::grading::PipeChannel channel;
+  for (;;) channel.send(carom::grading::answer(channel.receive(), channel));
+}
