@@ -365,7 +365,7 @@ std::size_t Recording::addArrow(std::string name, std::optional<Color> color, Re
     throw InvalidInput("arrow '" + name + "': scale " + exactText(scale) +
                        " must be finite and positive");
   }
-  const Color chosen = color ? *color : kPalette[(arrows_.size() + 1) % kPalette.size()];
+  const Color chosen = color ? *color : kPalette[5 - arrows_.size() % 6];
   arrows_.push_back({std::move(name), chosen, scale});
   return arrows_.size() - 1;
 }

@@ -15,8 +15,25 @@ const element = (tag, className, text) => {
   return result;
 };
 
-const button = (text, label, action) => {
-  const result = element('button', '', text);
+// Drawn here, because not every font has these signs.
+const icons = {
+  start: 'M2 2h2.4v12H2zM14 2v12L5.5 8z', back: 'M11.5 3v10L4 8z', play: 'M3.5 1.5v13L14 8z',
+  pause: 'M3 2h3.6v12H3zM9.4 2H13v12H9.4z', next: 'M4.5 3v10L12 8z',
+};
+
+function setIcon(place, name) {
+  const svg = document.createElementNS('http://www.w3.org/2000/svg', 'svg');
+  svg.setAttribute('viewBox', '0 0 16 16');
+  svg.setAttribute('aria-hidden', 'true');
+  const path = document.createElementNS('http://www.w3.org/2000/svg', 'path');
+  path.setAttribute('d', icons[name]);
+  svg.append(path);
+  place.replaceChildren(svg);
+}
+
+const button = (icon, label, action) => {
+  const result = element('button');
+  setIcon(result, icon);
   result.type = 'button';
   result.title = label;
   result.setAttribute('aria-label', label);
@@ -88,10 +105,11 @@ class Player {
     if (this.stage.flat) this.controls.mouseButtons.LEFT = THREE.MOUSE.PAN;
     this.controls.zoomToCursor = true;
     this.controls.addEventListener('change', () => { this.dirty = true; });
+    this.controls.addEventListener('start', () => { this.stage.cameraMoved = true; });
     this.controls.update();
     this.view.append(this.nameList());
 
-    this.playButton = button('▶', 'Play (space)', () => this.setPlaying(!this.playing));
+    this.playButton = button('play', 'Play (space)', () => this.setPlaying(!this.playing));
     this.playButton.className = 'carom-play';
     this.scrub = element('input', 'carom-scrub');
     Object.assign(this.scrub, { type: 'range', min: 0, step: 1, value: 0 });
@@ -113,10 +131,10 @@ class Player {
     this.time = element('span', 'carom-time');
     const bar = element('div', 'carom-bar');
     bar.append(
-      button('⏮', 'To the start (Home)', () => this.jump(0)),
-      button('◂', 'One step back (left arrow)', () => this.step(-1)),
+      button('start', 'To the start (Home)', () => this.jump(0)),
+      button('back', 'One step back (left arrow)', () => this.step(-1)),
       this.playButton,
-      button('▸', 'One step on (right arrow)', () => this.step(1)),
+      button('next', 'One step on (right arrow)', () => this.step(1)),
       this.scrub, this.time, this.speedMenu);
 
     this.strips = new Strips(header, part => {
@@ -168,7 +186,7 @@ class Player {
 
   setCase(index) {
     const old = this.cases[this.caseIndex];
-    const now = old ? old.times[this.frame] + 0 : null;
+    const now = old ? this.now() : null;
     this.caseIndex = index;
     const one = this.cases[index];
     this.stage.setCase(one);
@@ -191,7 +209,7 @@ class Player {
   setPlaying(playing) {
     if (playing && this.frame >= this.cases[this.caseIndex].frames - 1) this.seek(0, 0);
     this.playing = playing;
-    this.playButton.textContent = playing ? '⏸' : '▶';
+    setIcon(this.playButton, playing ? 'pause' : 'play');
     const label = playing ? 'Pause (space)' : 'Play (space)';
     this.playButton.title = label;
     this.playButton.setAttribute('aria-label', label);

@@ -81,6 +81,7 @@ function outlinePoints(body) {
 function bodyObject(body, flat) {
   const group = new THREE.Group();
   group.name = body.name;
+  group.userData.color = body.color;
   const color = new THREE.Color(body.color);
   if (body.type === 'polyline') {
     group.add(lines(body.points.map(p => new THREE.Vector3(...p)), color, body.opacity));
@@ -157,11 +158,32 @@ function boundingRadius(body) {
   return largest;
 }
 
+// An arrow of unit length along z, thick enough to be seen. Drawn over everything: arrows often start inside a body.
+function solidArrow(color, thickness) {
+  const group = new THREE.Group();
+  const material = new THREE.MeshBasicMaterial({ color, depthTest: false, transparent: true });
+  const shaft = new THREE.Mesh(new THREE.CylinderGeometry(1, 1, 1, 16).rotateX(Math.PI / 2).translate(0, 0, 0.5), material);
+  const head = new THREE.Mesh(new THREE.ConeGeometry(1, 1, 24).rotateX(Math.PI / 2).translate(0, 0, 0.5), material);
+  shaft.renderOrder = head.renderOrder = 2;
+  group.add(shaft, head);
+  group.stretch = length => {
+    const headLength = Math.min(0.45 * length, 7 * thickness);
+    const radius = Math.min(thickness, headLength / 5);
+    shaft.scale.set(radius, radius, length - headLength);
+    head.position.z = length - headLength;
+    head.scale.set(2.6 * radius, 2.6 * radius, headLength);
+  };
+  return group;
+}
+
 function bodyAxes(length) {
   const group = new THREE.Group();
   const ends = [[1, 0, 0, 0xd0312d], [0, 1, 0, 0x2c9a3f], [0, 0, 1, 0x2f6fde]];
   for (const [x, y, z, color] of ends) {
-    group.add(new THREE.ArrowHelper(new THREE.Vector3(x, y, z), new THREE.Vector3(), length, color, 0.18 * length, 0.1 * length));
+    const arrow = solidArrow(color, 0.022 * length);
+    arrow.quaternion.setFromUnitVectors(new THREE.Vector3(0, 0, 1), new THREE.Vector3(x, y, z));
+    arrow.stretch(length);
+    group.add(arrow);
   }
   return group;
 }
@@ -175,6 +197,7 @@ export class Stage {
     this.bodies = [];
     this.trails = [];
     this.moving = [];
+    this.samples = [];  // balls that hold all that happens, for the camera
     const box = new THREE.Box3();
     const floorBox = new THREE.Box3();
     let moving = 0;
@@ -186,18 +209,26 @@ export class Stage {
       if (body.pose) {
         object.position.fromArray(body.pose);
         object.quaternion.set(body.pose[4], body.pose[5], body.pose[6], body.pose[3]).normalize();
-        const target = body.type === 'plane' ? floorBox : box;
-        target.expandByPoint(object.position.clone().add(reach));
-        target.expandByPoint(object.position.clone().sub(reach));
+        // A floor is often much larger than what happens on it.
+        const extent = new THREE.Box3().setFromObject(object);
+        (body.type === 'plane' ? floorBox : box).union(extent);
+        if (body.type !== 'plane') {
+          for (let corner = 0; corner < 8; ++corner) {
+            this.samples.push({ radius: 0, p: new THREE.Vector3((corner & 1 ? extent.max : extent.min).x,
+              (corner & 2 ? extent.max : extent.min).y, (corner & 4 ? extent.max : extent.min).z) });
+          }
+        }
       } else {
         this.moving.push({ object, index: moving });
         for (const one of cases) {
           const n = one.frames;
           const at = moving * 7 * n;
+          const every = Math.max(1, Math.floor(n * header.bodies.length * cases.length / 20000));
           for (let f = 0; f < n; ++f) {
             const p = new THREE.Vector3(one.poses[at + f], one.poses[at + n + f], one.poses[at + 2 * n + f]);
             box.expandByPoint(p.clone().add(reach));
-            box.expandByPoint(p.sub(reach));
+            box.expandByPoint(p.clone().sub(reach));
+            if (f % every === 0) this.samples.push({ p, radius });
           }
         }
         if (body.trail) this.trails.push({ index: moving, color: body.color, line: null });
@@ -212,15 +243,9 @@ export class Stage {
     this.size = Math.max(box.getSize(new THREE.Vector3()).length(), 1e-9);
 
     this.arrows = header.arrows.map(arrow => {
-      const helper = new THREE.ArrowHelper(new THREE.Vector3(1, 0, 0), new THREE.Vector3(), 1, arrow.color);
-      // Arrows often start inside a body; they are drawn over everything.
-      for (const part of [helper.line, helper.cone]) {
-        part.material.depthTest = false;
-        part.material.transparent = true;
-        part.renderOrder = 2;
-      }
-      this.scene.add(helper);
-      return helper;
+      const object = solidArrow(arrow.color, 0.006 * this.size);
+      this.scene.add(object);
+      return object;
     });
     this.addLight();
     this.addCamera();
@@ -254,11 +279,9 @@ export class Stage {
       this.camera = new THREE.OrthographicCamera(-1, 1, 1, -1, -1e4 * this.size, 1e4 * this.size);
       this.camera.position.copy(this.target).add(new THREE.Vector3(0, 0, this.size));
     } else {
-      const distance = view.distance ?? 1.35 * this.size + 1e-6;
-      this.camera = new THREE.PerspectiveCamera(38, 1, 0.005 * distance, 60 * Math.max(distance, this.size));
+      this.camera = new THREE.PerspectiveCamera(38, 1, 0.01, 100);
       this.camera.up.set(...view.up).normalize();
-      const direction = new THREE.Vector3(...view.direction).normalize();
-      this.camera.position.copy(this.target).addScaledVector(direction, -distance);
+      this.camera.position.copy(this.target).addScaledVector(new THREE.Vector3(...view.direction).normalize(), -1);
     }
     this.camera.lookAt(this.target);
   }
@@ -271,13 +294,41 @@ export class Stage {
       Object.assign(this.camera, { left: -half * aspect, right: half * aspect, top: half, bottom: -half });
     } else {
       this.camera.aspect = aspect;
+      if (!this.cameraMoved) this.fitCamera();
     }
     this.camera.updateProjectionMatrix();
   }
 
+  // Moves the camera along its line of sight until all that happens just fits. A ball of radius r at (x, y, z) of the
+  // camera's frame, seen from the target, touches the upper edge of the picture at the distance
+  // (|y| + r / cos(angle)) / tan(angle) + z, where `angle` is half the angle of view; likewise the side.
+  fitCamera() {
+    const { camera, target, box } = this;
+    const tan = Math.tan(camera.fov * Math.PI / 360);
+    const needed = (offset, radius, slope) => (Math.abs(offset) + radius * Math.hypot(1, slope)) / slope;
+    camera.lookAt(target);
+    const inverse = camera.quaternion.clone().invert();
+    const samples = this.samples.length ? this.samples
+      : [{ p: box.getCenter(new THREE.Vector3()), radius: this.size / 2 }];
+    let distance = 1e-6;
+    const p = new THREE.Vector3();
+    for (const sample of samples) {
+      p.copy(sample.p).sub(target).applyQuaternion(inverse);
+      distance = Math.max(distance, needed(p.y, sample.radius, tan) + p.z,
+        needed(p.x, sample.radius, tan * camera.aspect) + p.z);
+    }
+    distance = this.header.view.distance ?? 1.08 * distance;
+    const direction = camera.position.clone().sub(target).normalize();
+    camera.position.copy(target).addScaledVector(direction, distance);
+    camera.near = 0.005 * distance;
+    camera.far = 60 * Math.max(distance, this.size);
+  }
+
   setTheme(dark) {
+    this.dark = dark;
     this.background = dark ? '#14181f' : '#f3f5f8';
     this.scene.background = new THREE.Color(this.background);
+    this.paintTrails();
     for (const object of this.bodies) {
       for (const part of object.children) {
         const role = part.userData.role;
@@ -288,6 +339,12 @@ export class Stage {
           part.material.color.set(part.userData.own).lerp(new THREE.Color(dark ? 0xffffff : 0x000000), 0.6);
         }
       }
+    }
+  }
+
+  paintTrails() {
+    for (const trail of this.trails) {
+      trail.line?.material.color.set(trail.color).lerp(new THREE.Color(this.dark ? 0xffffff : 0x000000), 0.25);
     }
   }
 
@@ -306,6 +363,7 @@ export class Stage {
       trail.line.frustumCulled = false;
       this.scene.add(trail.line);
     }
+    this.paintTrails();
   }
 
   // Puts everything where it is `part` of the way from frame f to the next.
@@ -325,9 +383,8 @@ export class Stage {
       helper.visible = length > 1e-4 * this.size;
       if (!helper.visible) return;
       helper.position.set(series(0), series(1), series(2));
-      helper.setDirection(vector.normalize());
-      const head = Math.min(0.3 * length, 0.03 * this.size);
-      helper.setLength(length, head, 0.6 * head);
+      helper.quaternion.setFromUnitVectors(new THREE.Vector3(0, 0, 1), vector.normalize());
+      helper.stretch(length);
     });
   }
 }

@@ -4,6 +4,21 @@ import * as THREE from 'three';
 
 const mostTriangles = 60000;
 
+// The part of a polygon or line in front of the eye, in clip coordinates: where w is at least a little.
+function inFront(corners) {
+  const least = 1e-6;
+  if (corners.every(c => c.w >= least)) return corners;
+  const kept = [];
+  const pairs = corners.length === 2 ? 1 : corners.length;
+  for (let i = 0; i < pairs; ++i) {
+    const a = corners[i], b = corners[(i + 1) % corners.length];
+    if (a.w >= least) kept.push(a);
+    if ((a.w >= least) !== (b.w >= least)) kept.push(a.clone().lerp(b, (least - a.w) / (b.w - a.w)));
+    if (pairs === 1 && b.w >= least) kept.push(b);
+  }
+  return kept;
+}
+
 export class SoftwareRenderer {
   constructor(canvas) {
     this.domElement = canvas;
@@ -27,7 +42,7 @@ export class SoftwareRenderer {
     const pieces = [];
     scene.traverseVisible(object => {
       if ((object.isMesh || object.isLine) && pieces.length < mostTriangles) {
-        this.collect(object, toClip, light, pieces);
+        this.collect(object, camera, toClip, light, pieces);
       }
     });
     // Floors first, then by depth, lines a little before the faces that they lie on.
@@ -51,28 +66,28 @@ export class SoftwareRenderer {
     g.globalAlpha = 1;
   }
 
-  collect(object, toClip, light, pieces) {
+  collect(object, camera, toClip, light, pieces) {
     const { width, height } = this.domElement;
     const position = object.geometry.getAttribute('position');
+    const uv = object.geometry.getAttribute('uv');
     const { index } = object.geometry;
     const material = object.material;
     const base = material.map && object.parent?.userData.color ? object.parent.userData.color : '#' + material.color.getHexString();
     const floor = object.userData.role === 'floor' || object.userData.role === 'grid' ? 1 : 0;
-    const world = [], screen = [];
+    const world = [], clip = [];
     for (let i = 0; i < position.count; ++i) {
       const p = new THREE.Vector3().fromBufferAttribute(position, i).applyMatrix4(object.matrixWorld);
       world.push(p);
-      const clip = new THREE.Vector4(p.x, p.y, p.z, 1).applyMatrix4(toClip);
-      const seen = clip.w > 0;
-      screen.push({ x: (clip.x / clip.w + 1) / 2 * width, y: (1 - clip.y / clip.w) / 2 * height, depth: clip.z / clip.w, seen });
+      clip.push(new THREE.Vector4(p.x, p.y, p.z, 1).applyMatrix4(toClip));
     }
+    const onScreen = c => ({ x: (c.x / c.w + 1) / 2 * width, y: (1 - c.y / c.w) / 2 * height, depth: c.z / c.w });
     const range = object.geometry.drawRange;
     const total = Math.min(index ? index.count : position.count, range.start + range.count);
     const at = i => (index ? index.getX(i) : i);
-    const order = object.renderOrder;
+    const order = object.renderOrder + (object.userData.role === 'grid' ? 0.5 : 0);
     const add = (ids, color, bias) => {
-      const points = ids.map(i => screen[i]);
-      if (points.some(p => !p.seen)) return;
+      const points = inFront(ids.map(i => clip[i])).map(onScreen);
+      if (points.length < 2) return;
       const depth = points.reduce((sum, p) => sum + p.depth, 0) / points.length - bias;
       pieces.push({ points, depth, color, opacity: material.opacity, floor, order });
     };
@@ -80,12 +95,14 @@ export class SoftwareRenderer {
       const color = new THREE.Color(), normal = new THREE.Vector3(), edge = new THREE.Vector3();
       for (let i = 0; i + 2 < total; i += 3) {
         const [a, b, c] = [at(i), at(i + 1), at(i + 2)];
-        const [p, q, r] = [screen[a], screen[b], screen[c]];
-        const facing = (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x) < 0;
-        if (!facing && material.side === THREE.FrontSide) continue;
         normal.subVectors(world[b], world[a]).cross(edge.subVectors(world[c], world[a])).normalize();
+        const sight = camera.isOrthographicCamera ? camera.getWorldDirection(edge) : edge.subVectors(world[a], camera.position);
+        if (normal.dot(sight) >= 0 && material.side === THREE.FrontSide) continue;
         const shade = material.isMeshBasicMaterial ? 1 : 0.55 + 0.45 * Math.abs(normal.dot(light));
-        color.set(base).multiplyScalar(shade * shade);
+        // The white band and caps of a ball, which its texture would show.
+        const v = material.map ? (uv.getY(a) + uv.getY(b) + uv.getY(c)) / 3 : 0.25;
+        const white = Math.abs(v - 0.5) < 0.1 || Math.abs(v - 0.5) > 0.4;
+        color.set(material.map && white ? '#fbfaf5' : base).multiplyScalar(shade * shade);
         add([a, b, c], '#' + color.getHexString(), 0);
       }
     } else {

@@ -1,6 +1,7 @@
 // The channels over time, under the scene: one strip per unit, a line at the current moment.
 
 const ink = ['#0072b2', '#d55e00', '#009e73', '#cc79a7', '#e69f00', '#56b4e9'];
+const inkOnDark = ['#4aa8e0', '#f08a3c', '#2fc196', '#e3a3c6', '#f2bf4a', '#8fd0f5'];
 const dashes = [[], [7, 3], [2, 2], [7, 2, 2, 2], [11, 4], [4, 6]];
 
 export const short = value => {
@@ -27,7 +28,8 @@ export class Strips {
         const item = document.createElement('div');
         const key = document.createElement('span');
         key.className = 'carom-key';
-        key.style.borderTopColor = ink[i % ink.length];
+        key.style.setProperty('--key', ink[i % ink.length]);
+        key.style.setProperty('--key-dark', inkOnDark[i % ink.length]);
         key.style.borderTopStyle = i % 3 === 0 ? 'solid' : i % 3 === 1 ? 'dashed' : 'dotted';
         const value = document.createElement('b');
         item.append(key, ` ${channel.name} `, value);
@@ -65,6 +67,8 @@ export class Strips {
           }
         }
       }
+      strip.least = low;
+      strip.most = high;
       const margin = high > low ? 0.08 * (high - low) : Math.abs(high) * 0.1 || 1;
       strip.low = low - margin;
       strip.high = high + margin;
@@ -96,7 +100,7 @@ export class Strips {
       }
       strip.channels.forEach((channel, i) => {
         const values = one.channels[channel.index];
-        g.strokeStyle = ink[i % ink.length];
+        g.strokeStyle = (dark ? inkOnDark : ink)[i % ink.length];
         g.lineWidth = 1.8;
         g.setLineDash(dashes[i % dashes.length]);
         g.beginPath();
@@ -116,8 +120,8 @@ export class Strips {
       g.fillStyle = dark ? '#9aa4b2' : '#57606a';
       g.font = '10px system-ui, sans-serif';
       g.textAlign = 'right';
-      g.fillText(short(strip.high), width - 2, 10);
-      g.fillText(short(strip.low), width - 2, height - 3);
+      g.fillText(short(strip.most), width - 3, 11);
+      if (strip.most > strip.least) g.fillText(short(strip.least), width - 3, height - 4);
     }
   }
 }
