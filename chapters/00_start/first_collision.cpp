@@ -1,6 +1,6 @@
 // Two billiard balls meet.
 //
-// A white ball comes from the left with 0.5 m/s and hits a red one at rest, off its centre. The physics
+// A blue ball comes from the left with 0.5 m/s and hits a red one at rest, off its centre. The physics
 // is in two_balls.hpp; here is what one sees of it: a table and a moving picture.
 
 #include <filesystem>
@@ -19,7 +19,7 @@ constexpr int kSteps = 1600;   // 1.6 s in all
 void printMotion(std::ostream& out) {
   using carom::io::fixed;
   carom::io::Table table;
-  table.column("time [s]", fixed(1)).column("white x [m]", fixed(4)).column("y [m]", fixed(4));
+  table.column("time [s]", fixed(1)).column("blue x [m]", fixed(4)).column("y [m]", fixed(4));
   table.column("red x [m]", fixed(4)).column("y [m]", fixed(4));
   table.column("p_x [mN s]", fixed(3))
       .column("p_y [mN s]", fixed(3))
@@ -28,8 +28,8 @@ void printMotion(std::ostream& out) {
   for (int i = 0; i <= kSteps; ++i) {
     if (i % 200 == 0) {
       const Vector2 p = 1000 * momentum(pair);
-      const auto& [white, red] = pair;
-      table.row({i * kStep, white.position.x(), white.position.y(), red.position.x(),
+      const auto& [blue, red] = pair;
+      table.row({i * kStep, blue.position.x(), blue.position.y(), red.position.x(),
                  red.position.y(), p.x(), p.y(), 1000 * energy(pair)});
     }
     step(pair, kStep, 0.75);
@@ -39,12 +39,11 @@ void printMotion(std::ostream& out) {
 
 void record(const std::filesystem::path& file) {
   carom::io::Recording recording("Two billiard balls",
-                                 "A white ball comes from the left and hits a red one off its "
+                                 "A blue ball comes from the left and hits a red one off its "
                                  "centre. The red one leaves along "
-                                 "the line of centres; the white one is turned aside.");
+                                 "the line of centres; the blue one is turned aside.");
   recording.setView({.flat = true, .up = carom::Vector3::UnitY()});
-  recording.addBody("white", carom::io::Disc{kRadius},
-                    {.color = carom::io::kSkyBlue, .trail = true});
+  recording.addBody("blue", carom::io::Disc{kRadius}, {.color = carom::io::kBlue, .trail = true});
   recording.addBody("red", carom::io::Disc{kRadius},
                     {.color = carom::io::kVermilion, .trail = true});
   recording.addChannel("kinetic energy", "J");
@@ -57,7 +56,7 @@ void record(const std::filesystem::path& file) {
     Pair pair;
     for (int i = 0; i <= kSteps; ++i) {
       if (i % 10 == 0) {
-        recording.addFrame({i * kStep, {pose(pair.white), pose(pair.red)}, {energy(pair)}, {}});
+        recording.addFrame({i * kStep, {pose(pair.blue), pose(pair.red)}, {energy(pair)}, {}});
       }
       step(pair, kStep, std::stod(label));
     }

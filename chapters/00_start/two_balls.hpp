@@ -26,10 +26,10 @@ struct Ball {
 };
 //! [state]
 
-/// The two balls, as they stand at the beginning: white comes from the left, red rests a little off its path.
+/// The two balls, as they stand at the beginning: blue comes from the left, red rests a little off its path.
 struct Pair {
-  Ball white{{-0.3, 0.0}, {0.5, 0.0}};  ///< the one that comes
-  Ball red{{0.0, 0.02}, {0.0, 0.0}};    ///< the one that is hit
+  Ball blue{{-0.3, 0.0}, {0.5, 0.0}};  ///< the one that comes
+  Ball red{{0.0, 0.02}, {0.0, 0.0}};   ///< the one that is hit
 };
 
 /// What a contact does to two velocities; nothing if the balls do not overlap.
@@ -58,23 +58,23 @@ inline void collide(Ball& a, Ball& b, Real restitution, bool askFirst = true) {
 /// \param pair the balls \param dt the step [s] \param restitution see collide() \param askFirst see collide()
 //! [step]
 inline void step(Pair& pair, Real dt, Real restitution, bool askFirst = true) {
-  pair.white.position += dt * pair.white.velocity;
+  pair.blue.position += dt * pair.blue.velocity;
   pair.red.position += dt * pair.red.velocity;
-  collide(pair.white, pair.red, restitution, askFirst);
+  collide(pair.blue, pair.red, restitution, askFirst);
 }
 //! [step]
 
 /// The momentum of both balls together. \param pair the balls \return momentum [N s]
 //! [conserved]
 inline Vector2 momentum(const Pair& pair) {
-  return kMass * pair.white.velocity + kMass * pair.red.velocity;
+  return kMass * pair.blue.velocity + kMass * pair.red.velocity;
 }
 //! [conserved]
 
 /// The kinetic energy of both balls together. \param pair the balls \return energy [J]
 //! [energy]
 inline Real energy(const Pair& pair) {
-  return kMass / 2 * (pair.white.velocity.squaredNorm() + pair.red.velocity.squaredNorm());
+  return kMass / 2 * (pair.blue.velocity.squaredNorm() + pair.red.velocity.squaredNorm());
 }
 //! [energy]
 

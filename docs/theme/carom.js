@@ -20,6 +20,8 @@
       tree.setAttribute("role", "navigation");
       tree.setAttribute("aria-label", "All pages");
     }
+    // Doxygen's switch for keeping the tree in step with the page: two pictures without a text, of little use.
+    document.getElementById("nav-sync")?.remove();
     const results = document.getElementById("MSearchResults");
     if (results) {
       results.title = "Search results";
@@ -27,6 +29,15 @@
     const query = document.getElementById("MSearchField");
     if (query) {
       query.setAttribute("aria-label", "Search the site");
+    }
+  }
+
+  // Doxygen lists "Classes" above a type whose inner types are private, and so not shown: such links lead nowhere.
+  function dropDeadSummaries() {
+    for (const link of document.querySelectorAll(".summary a[href^='#']")) {
+      if (!document.getElementsByName(link.hash.slice(1)).length && !document.getElementById(link.hash.slice(1))) {
+        link.remove();
+      }
     }
   }
 
@@ -49,20 +60,25 @@
     document.head.appendChild(script);
   }
 
-  // Players inside the page follow the theme of the page.
-  function tellPlayers() {
+  // Players inside the page follow its theme: they ask once, and are told of every change.
+  function tell(player) {
     const dark = document.documentElement.classList.contains("dark-mode");
-    for (const frame of document.querySelectorAll("iframe.carom-player")) {
-      frame.contentWindow.postMessage({ caromTheme: dark ? "dark" : "light" }, "*");
-    }
+    player.postMessage({ caromDark: dark }, "*");
   }
+
+  window.addEventListener("message", function (event) {
+    if (event.data && event.data.caromTheme === "ask") {
+      tell(event.source);
+    }
+  });
 
   document.addEventListener("DOMContentLoaded", function () {
     markLandmarks();
+    dropDeadSummaries();
     loadFormulas();
-    for (const frame of document.querySelectorAll("iframe.carom-player")) {
-      frame.addEventListener("load", tellPlayers);
-    }
-    new MutationObserver(tellPlayers).observe(document.documentElement, { attributeFilter: ["class"] });
+    const players = document.querySelectorAll("iframe.carom-player");
+    new MutationObserver(function () {
+      players.forEach((player) => tell(player.contentWindow));
+    }).observe(document.documentElement, { attributeFilter: ["class"] });
   });
 })();

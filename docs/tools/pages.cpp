@@ -162,11 +162,13 @@ std::string errataPage(const std::vector<std::vector<std::string>>& rows, const 
   return page.str();
 }
 
-std::string exerciseRow(const Exercise& exercise) {
-  return "<tr><td>\\ref " + anchorOf(exercise) + " \"" + exercise.id + "\"</td><td>" +
-         cellText(exercise.title) + "</td><td>" + exercise.kind + "</td><td>" + exercise.level +
-         "</td><td>" + exercise.minutes + "</td><td><code>./course check " + exercise.id +
-         "</code></td></tr>\n";
+// `linked`: the chapter's page exists and holds the statement.
+std::string exerciseRow(const Exercise& exercise, bool linked) {
+  const std::string id =
+      linked ? "\\ref " + anchorOf(exercise) + " \"" + exercise.id + "\"" : exercise.id;
+  return "<tr><td>" + id + "</td><td>" + cellText(exercise.title) + "</td><td>" + exercise.kind +
+         "</td><td>" + exercise.level + "</td><td>" + exercise.minutes +
+         "</td><td><code>./course check " + exercise.id + "</code></td></tr>\n";
 }
 
 std::string exercisesPage(const fs::path& projectRoot, const std::vector<Exercise>& exercises) {
@@ -190,7 +192,7 @@ std::string exercisesPage(const fs::path& projectRoot, const std::vector<Exercis
            << tableHead({"Exercise", "Title", "Kind", "Level", "Minutes", "Command"});
       chapter = exercise.chapter;
     }
-    page << exerciseRow(exercise);
+    page << exerciseRow(exercise, !chapterLabel(projectRoot, exercise.chapter).empty());
   }
   page << (chapter.empty() ? "" : kTableEnd);
   return page.str();
@@ -277,7 +279,7 @@ std::string chapterExercises(const fs::path& projectRoot, const std::string& cha
     if (exercise.chapter != chapter) {
       continue;
     }
-    rows << exerciseRow(exercise);
+    rows << exerciseRow(exercise, true);
     statements << "### " << exercise.id << ": " << exercise.title << " {#" << anchorOf(exercise)
                << "}\n\n"
                << "*" << exercise.kind << ", level " << exercise.level << ", about "
