@@ -1,5 +1,6 @@
 #include "carom/mass/box_inertia.hpp"
 
+#include <cmath>
 #include <string>
 
 #include "carom/core/errors.hpp"
@@ -7,7 +8,8 @@
 namespace carom {
 
 Matrix3 boxInertia(Real mass, const Vector3& size) {
-  if (!(mass > 0 && size.minCoeff() > 0 && mass * size.maxCoeff() < 1e300)) {
+  const bool positive = mass > 0 && size.x() > 0 && size.y() > 0 && size.z() > 0;
+  if (!positive || !std::isfinite(mass) || !size.allFinite()) {
     throw InvalidInput("boxInertia: mass and edges must be positive and finite, but are " +
                        std::to_string(mass) + " and " + std::to_string(size.x()) + ", " +
                        std::to_string(size.y()) + ", " + std::to_string(size.z()));

@@ -1,6 +1,7 @@
 #include "carom/mass/check_mesh.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <tuple>
 #include <utility>
 
@@ -53,11 +54,16 @@ std::vector<MeshProblem> checkNumbers(const TriangleMesh& mesh) {
 // No area: two corners in one place, or three on a line.
 bool isDegenerate(const TriangleMesh& mesh, const Triangle& triangle) {
   const auto [a, b, c] = cornersOf(mesh, triangle);
-  const Vector3 u = b - a;
-  const Vector3 v = c - a;
-  // A sine of the angle between the edges that rounding alone can make: eight units in the last
+  Vector3 u = b - a;
+  Vector3 v = c - a;
+  const Real uSize = u.cwiseAbs().maxCoeff();
+  const Real vSize = v.cwiseAbs().maxCoeff();
+  if (uSize == 0 || vSize == 0) return true;
+  u /= uSize;  // so that the squares of very small edges do not vanish
+  v /= vSize;
+  // The sine of the angle between the edges that rounding alone can make: eight units in the last
   // place.
-  constexpr Real kRounding = 8 * 2.220446049250313e-16;
+  constexpr Real kRounding = 8 * std::numeric_limits<Real>::epsilon();
   return !(cross(u, v).norm() > kRounding * u.norm() * v.norm());
 }
 

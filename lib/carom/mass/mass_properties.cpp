@@ -61,6 +61,13 @@ Place placeOf(const TriangleMesh& mesh) {
   return place;
 }
 
+Real rounded(Real number) {
+  return number;
+}
+Real rounded(const DoubleDouble& number) {
+  return number.value();
+}
+
 // From the sums about `origin` to the solid about its own centre. S carries the digits that the
 // shift cancels.
 template <class S>
@@ -78,13 +85,13 @@ MassProperties bodyFrom(const TetrahedronSums<S>& sums, const Vector3& origin, R
   const S zx = sums.zx - twentyV * z * x;
 
   MassProperties body;
-  body.volume = Real(sums.v) / 6;
+  body.volume = rounded(sums.v) / 6;
   body.mass = density * body.volume;
-  body.center = {Real(origin.x() + x), Real(origin.y() + y), Real(origin.z() + z)};
+  body.center = {rounded(origin.x() + x), rounded(origin.y() + y), rounded(origin.z() + z)};
   // clang-format off
-  body.inertia << Real(yy + zz), -Real(xy),     -Real(zx),
-                  -Real(xy),     Real(xx + zz), -Real(yz),
-                  -Real(zx),     -Real(yz),     Real(xx + yy);
+  body.inertia << rounded(yy + zz), -rounded(xy),     -rounded(zx),
+                  -rounded(xy),     rounded(xx + zz), -rounded(yz),
+                  -rounded(zx),     -rounded(yz),     rounded(xx + yy);
   // clang-format on
   body.inertia *= density / 120;
   return body;

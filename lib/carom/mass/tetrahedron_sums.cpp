@@ -207,8 +207,9 @@ TetrahedronSums<DoubleDouble> sumTetrahedraExactly(const TriangleMesh& mesh,
     for (std::size_t k = 0; k < 3; ++k) {
       // The difference of two doubles is exact as two doubles.
       const Vector3& vertex = mesh.vertices[std::size_t(triangle[k])];
-      corners[k] = {exactSum(vertex.x(), -origin.x()), exactSum(vertex.y(), -origin.y()),
-                    exactSum(vertex.z(), -origin.z())};
+      corners[k] = {exactDifference(vertex.x(), origin.x()),
+                    exactDifference(vertex.y(), origin.y()),
+                    exactDifference(vertex.z(), origin.z())};
     }
     addTetrahedron(sums, corners[0], corners[1], corners[2]);
   }

@@ -9,8 +9,8 @@
 // Not handled: meshes that are not closed. This header is for the library and its tests.
 
 #include "carom/core/real.hpp"
-#include "carom/mass/double_double.hpp"
 #include "carom/mass/triangle_mesh.hpp"
+#include "carom/precision/double_double.hpp"
 
 namespace carom {
 
