@@ -1,6 +1,5 @@
 #include "carom_io/mesh_file.hpp"
 
-#include <algorithm>
 #include <fstream>
 #include <string>
 #include <system_error>
@@ -30,25 +29,30 @@ std::string contentOf(const std::filesystem::path& path) {
   if (static_cast<std::uintmax_t>(file.gcount()) != size) {
     throw MeshFileError(name + ": reading stopped at byte " + std::to_string(file.gcount()));
   }
-  if (content.empty()) throw MeshFileError(name + ": the file is empty");
   return content;
 }
 
 }  // namespace
 
 TriangleMesh readMesh(const std::filesystem::path& path) {
-  std::string ending = path.extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(), [](char c) {
-    return 'A' <= c && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  });
   const std::string content = contentOf(path);
-  const detail::MeshSource source{path.string(), content};
-  if (ending == ".off") return detail::readOff(source);
-  if (ending == ".obj") return detail::readObj(source);
-  if (ending == ".stl") return detail::readStl(source);
-  if (ending == ".ply") return detail::readPly(source);
-  throw MeshFileError(path.string() + ": the ending '" + ending +
+  return detail::readAny({path.string(), content});
+}
+
+namespace detail {
+
+TriangleMesh readAny(const MeshSource& source) {
+  if (source.content.empty()) throw MeshFileError(source.name + ": the file is empty");
+  std::string ending = std::filesystem::path(source.name).extension().string();
+  for (char& c : ending) c = 'A' <= c && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  if (ending == ".off") return readOff(source);
+  if (ending == ".obj") return readObj(source);
+  if (ending == ".stl") return readStl(source);
+  if (ending == ".ply") return readPly(source);
+  throw MeshFileError(source.name + ": the ending '" + ending +
                       "' names no known format; known are .off, .obj, .stl, .ply");
 }
+
+}  // namespace detail
 
 }  // namespace carom::io

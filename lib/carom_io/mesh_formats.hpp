@@ -82,6 +82,10 @@ class TextReader {
 /// \param corners its corners, at least 3
 void addFan(TriangleMesh& mesh, const std::vector<std::int32_t>& corners);
 
+/// Reads the format that the ending of the source's name stands for. \param source the file
+/// \return the mesh \throws MeshFileError
+TriangleMesh readAny(const MeshSource& source);
+
 /// The readers. \param source the file \return the mesh \throws MeshFileError
 TriangleMesh readOff(const MeshSource& source);
 /// Wavefront OBJ, see readOff().

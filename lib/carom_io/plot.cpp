@@ -16,14 +16,26 @@ namespace {
 // gnuplot's point types: disc, square, triangle, diamond, triangle down, ring.
 constexpr std::array<int, 6> kMarks{7, 5, 9, 13, 11, 6};
 
-// A text as gnuplot's single-quoted string, in which only the quote itself is special.
+// A text as gnuplot's double-quoted string. All but letters, digits, spaces and UTF-8 is written as
+// an octal escape, so no quote, backslash or backquote of the text is ever seen by gnuplot's
+// parser.
 std::string quoted(const std::string& text) {
-  std::string result = "'";
+  std::string result = "\"";
   for (const char c : text) {
-    if (c == '\'') result += '\'';
-    result += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
+    const unsigned byte = static_cast<unsigned char>(c);
+    const bool plain = (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') ||
+                       c == ' ' || byte >= 0x80;
+    if (plain) {
+      result += c;
+    } else if (byte < 0x20 || byte == 0x7f) {
+      result += ' ';
+    } else {
+      result += '\\';
+      for (const unsigned shift : {6u, 3u, 0u})
+        result += static_cast<char>('0' + (byte >> shift & 7u));
+    }
   }
-  return result + "'";
+  return result + '"';
 }
 
 std::string ink(const Color& color) {
