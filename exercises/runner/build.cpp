@@ -77,6 +77,31 @@ std::string inPlainWords(const std::string& error) {
   return "";
 }
 
+// The files in a rule of make, `x.o: a.cpp b.hpp \`; blanks in their names are escaped.
+std::vector<fs::path> includedFiles(std::string_view rule) {
+  std::vector<fs::path> files;
+  const auto colon = rule.find(": ");
+  if (colon == std::string_view::npos) return files;
+  std::string name;
+  for (std::size_t i = colon + 1; i <= rule.size(); ++i) {
+    const char c = i < rule.size() ? rule[i] : '\n';
+    const char next = i + 1 < rule.size() ? rule[i + 1] : '\n';
+    if (c == '\\' && (next == ' ' || next == '#' || next == '\\')) {
+      name += next;
+      ++i;
+    } else if (c == '$' && next == '$') {
+      name += c;
+      ++i;
+    } else if (c == ' ' || c == '\n' || (c == '\\' && next == '\n')) {
+      if (!name.empty()) files.emplace_back(name);
+      name.clear();
+    } else {
+      name += c;
+    }
+  }
+  return files;
+}
+
 }  // namespace
 
 WorkFolder::WorkFolder(const Project& project) {
@@ -91,19 +116,12 @@ WorkFolder::~WorkFolder() {
 }
 
 Compiled compileSubmission(const Project& project, const Exercise& exercise, const fs::path& source,
-                           const fs::path& folder) {
+                           const fs::path& folder, int cpuSeconds) {
   const auto& entry = project.entry(exercise);
   grading::Command command;
-  // The compiler cache, where there is one: what has been compiled before need not be compiled again.
-  if (!project.text("launcher").empty()) command.words.push_back(project.text("launcher"));
-  command.words.push_back(project.text("compiler"));
+  command.words = {project.text("compiler")};
   append(command.words, list(project.manifest.at("flags")));
-  for (const auto& definition : list(project.manifest.at("definitions")))
-    command.words.push_back("-D" + definition);
-  // _GLIBCXX_ASSERTIONS turns an index out of range into a message; -g1 gives crashes a line.
-  append(command.words,
-         {"-O1", "-g1", "-fPIC", "-Wall", "-Wextra", "-Wno-ignored-attributes",
-          "-Wno-unused-parameter", "-D_GLIBCXX_ASSERTIONS", "-fdiagnostics-color=never"});
+  append(command.words, list(project.manifest.at("submission_flags")));
   if (entry.at("no_geometry").get<bool>())
     command.words.push_back("-I" + project.text("no_geometry_include"));
   for (const auto& include : list(project.manifest.at("includes")))
@@ -114,13 +132,20 @@ Compiled compileSubmission(const Project& project, const Exercise& exercise, con
   }
   Compiled result;
   result.object = folder / (exercise.name + ".o");
+  fs::path depends = result.object;
+  depends += ".d";
+  append(command.words, {"-MD", "-MF", depends.string()});
   append(command.words, {"-c", source.string(), "-o", result.object.string()});
-  command.limits = {
-      .wallSeconds = 60, .cpuSeconds = 30, .memoryMegabytes = 3072, .outputKilobytes = 1024};
+  command.limits = {.wallSeconds = cpuSeconds ? 3.0 * cpuSeconds : 60,
+                    .cpuSeconds = cpuSeconds ? cpuSeconds : 20,
+                    .memoryMegabytes = 2048,
+                    .fileKilobytes = 64 << 10,
+                    .outputKilobytes = 1024};
   const auto done = grading::run(command);
   result.ok = done.ok();
   result.full = done.output;
   result.seconds = done.seconds;
+  result.included = includedFiles(readIfThere(depends).value_or(""));
   bool found = false;
   const auto lines = splitLines(done.output);
   for (std::size_t i = 0; i < lines.size(); ++i) {

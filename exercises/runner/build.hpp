@@ -25,16 +25,18 @@ class WorkFolder {
 struct Compiled {
   fs::path object;
   bool ok = false;
-  std::string firstError;  ///< file:line:column: message, with the source line
-  std::string plain;       ///< the same in a plain sentence, for the commonest mistakes
-  std::string full;        ///< everything that the compiler said
+  std::string firstError;          ///< file:line:column: message, with the source line
+  std::string plain;               ///< the same in a plain sentence, for the commonest mistakes
+  std::string full;                ///< everything that the compiler said
+  std::vector<fs::path> included;  ///< every file that was read, the submission itself first
   int warnings = 0;
   double seconds = 0;
 };
 
 /// Compiles one file as the answer to an exercise, with limits on time and memory.
+/// \param cpuSeconds limit on the compiler's processor time; 0: the usual
 Compiled compileSubmission(const Project& project, const Exercise& exercise, const fs::path& source,
-                           const fs::path& folder);
+                           const fs::path& folder, int cpuSeconds = 0);
 
 /// Links the submission with the tests (self-check). \throws Failure (ourFault) when the link fails
 fs::path linkSelfCheck(const Project& project, const Exercise& exercise, const fs::path& object,

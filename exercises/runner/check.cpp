@@ -70,6 +70,7 @@ namespace {
 struct Runnable {
   fs::path program;
   std::vector<std::string> environment;
+  int answerSeconds = 0;
 };
 
 std::string newNonce() {
@@ -82,6 +83,12 @@ Runnable prepare(const Project& project, const Exercise& exercise, const CheckOp
   Runnable runnable;
   const auto& entry = project.entry(exercise);
   const fs::path trusted = entry.at("trusted").get<std::string>();
+  runnable.answerSeconds = options.answerSeconds;
+  if (options.answerSeconds) {
+    // The child behind the pipe has its limits from the grader, which has them from here.
+    runnable.environment.push_back("CAROM_CPU_S=" + std::to_string(options.answerSeconds));
+    runnable.environment.push_back("CAROM_WALL_S=" + std::to_string(options.answerSeconds));
+  }
   if (options.seed) runnable.environment.push_back("CAROM_SEED=" + std::to_string(options.seed));
   if (exercise.isPrediction()) {
     runnable.program = trusted;
@@ -104,12 +111,14 @@ Runnable prepare(const Project& project, const Exercise& exercise, const CheckOp
   } else {
     if (options.screen) screenSource(readFile(source), result.screening);
     if (result.screening.refused.empty()) {
-      result.compiled = compileSubmission(project, exercise, source, folder);
+      result.compiled =
+          compileSubmission(project, exercise, source, folder, options.compileSeconds);
       if (!result.compiled.ok) {
         result.status = Status::doesNotCompile;
         return runnable;
       }
       if (options.screen) {
+        screenIncludes(project, exercise, result.compiled.included, source, result.screening);
         screenObject(project, result.compiled.object, entry.at("library_object").get<std::string>(),
                      entry.at("stage").get<std::string>(), result.screening);
       }
@@ -176,11 +185,18 @@ grading::Finished runTests(const Runnable& runnable, const std::string& test,
   command.environment.push_back("CAROM_NONCE=" + nonce);
   command.directory = folder.string();
   command.limits = {.wallSeconds = 20,
-                    .cpuSeconds = linked ? 10 : 20,
+                    .cpuSeconds = !linked                  ? 20
+                                  : runnable.answerSeconds ? runnable.answerSeconds
+                                                           : 10,
                     .memoryMegabytes = linked ? 1024 : 0,
                     .fileKilobytes = 16 << 10,
                     .outputKilobytes = linked ? 256 : 4096};
   return grading::run(command);
+}
+
+bool outOfTime(const std::string& reason) {
+  return reason.find("did not answer within") != std::string::npos ||
+         reason.find("used up its processor time") != std::string::npos;
 }
 
 CheckResult runCheck(const Check& check, const Runnable& runnable, const fs::path& folder,
@@ -203,6 +219,7 @@ CheckResult runCheck(const Check& check, const Runnable& runnable, const fs::pat
     if (kind == "stopped") {
       result.status = Status::stopped;
       result.reason = "It " + event.value("got", "") + ".";
+      result.timedOut = outOfTime(result.reason);
       result.failure = event;
     }
     if (kind == "wrong" && result.failure.is_null()) result.failure = event;
@@ -214,6 +231,7 @@ CheckResult runCheck(const Check& check, const Runnable& runnable, const fs::pat
                                          "(with exit code 0). Only an answer that is "
                                          "returned counts."
                                        : "The program " + done.end + " before the check was over.";
+    result.timedOut = done.timedOut || outOfTime(done.end);
     if (report.last.is_object()) result.failure = report.last;
   } else if (report.asked == 0) {
     result.status = Status::ourFault;
@@ -338,6 +356,12 @@ ExerciseResult checkExercise(const Project& project, const Exercise& exercise,
     all &= check.status == Status::passed;
     if (check.status == Status::ourFault) worst = Status::ourFault;
     if (check.status != Status::passed && worst == Status::passed) worst = check.status;
+    // Who waited for the limit once need not wait for it again.
+    if (check.timedOut) {
+      for (std::size_t j = i + 1; j < result.checks.size(); ++j)
+        result.checks[j].reason = "Not run, because '" + check.title + "' did not end.";
+      break;
+    }
     // What is not written yet need not be asked again.
     if (check.status == Status::notStarted) {
       for (std::size_t j = i + 1; j < result.checks.size(); ++j)

@@ -18,6 +18,7 @@ struct CheckResult {
   int othersWrong = 0;     ///< further wrong answers in the same check
   std::string reason;      ///< for stopped and our fault: what happened
   std::string output;      ///< what the submission printed
+  bool timedOut = false;   ///< it ran into a limit on time
   double seconds = 0;
 };
 
@@ -47,6 +48,8 @@ struct CheckOptions {
   bool fingerprint = true;      ///< look for the misconception
   bool screen = true;
   std::uint64_t seed = 0;  ///< 0: the fixed seed of self-checks
+  int answerSeconds = 0;   ///< processor time for a check; 0: the usual
+  int compileSeconds = 0;  ///< processor time for the compiler; 0: the usual
 };
 
 ExerciseResult checkExercise(const Project& project, const Exercise& exercise,

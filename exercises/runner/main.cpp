@@ -30,6 +30,10 @@ struct Options {
   bool mine = false;
   bool force = false;
   int number = 0;
+  bool noScreen = false;
+  std::uint64_t seed = 0;
+  int answerSeconds = 0;
+  int compileSeconds = 0;
   std::vector<std::string> rest;
 };
 
@@ -112,8 +116,14 @@ int check(Project& project, const Options& o, const View& view) {
   int exitCode = Exit::pass;
   json all = json::array();
   for (const auto* e : which) {
-    results.push_back(
-        checkExercise(project, *e, {.source = o.file, .throughPipe = o.pipe, .lazy = {}}));
+    results.push_back(checkExercise(project, *e,
+                                    {.source = o.file,
+                                     .throughPipe = o.pipe,
+                                     .lazy = {},
+                                     .screen = !o.noScreen,
+                                     .seed = o.seed,
+                                     .answerSeconds = o.answerSeconds,
+                                     .compileSeconds = o.compileSeconds}));
     const auto& result = results.back();
     if (o.file.empty()) state.remember(project, result);
     // The worst outcome of several is the exit code of all; one alone keeps its own.
@@ -413,6 +423,11 @@ int main(int argc, char** argv) {
   checkVerb->add_option("--file", o.file, "Check this file instead of the one in exercises/");
   checkVerb->add_flag("--pipe", o.pipe, "As when graded: the answer runs in a process of its own");
   checkVerb->add_option("--junit", o.junit, "Write a JUnit report to this file");
+  // For the tests of the grader itself: none of these makes anything easier.
+  checkVerb->add_flag("--no-screen", o.noScreen)->group("")->needs("--pipe");
+  checkVerb->add_option("--seed", o.seed)->group("");
+  checkVerb->add_option("--answer-seconds", o.answerSeconds)->group("");
+  checkVerb->add_option("--compile-seconds", o.compileSeconds)->group("");
   auto* watchVerb = app.add_subcommand("watch", "Check each time the file is saved");
   watchVerb->add_option("id", o.what);
   auto* hintVerb = app.add_subcommand("hint", "The next hint, or a given one");

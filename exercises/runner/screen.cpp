@@ -2,6 +2,8 @@
 
 #include <cxxabi.h>
 
+#include <algorithm>
+#include <cctype>
 #include <cstdlib>
 #include <map>
 #include <set>
@@ -126,45 +128,67 @@ bool beginsWithAny(const std::string& text, std::initializer_list<const char*> b
   return false;
 }
 
-// Comments and the insides of texts replaced by spaces, so that the word "main" in a remark counts for nothing.
+// The source as the compiler reads it: continued lines joined, comments replaced by blanks, and the insides of texts
+// too (except in an #include), so that the word "asm" in a remark or a message counts for nothing.
 std::string codeOnly(std::string_view source) {
-  std::string code(source);
-  enum { plain, lineComment, blockComment, text, character } where = plain;
-  for (std::size_t i = 0; i < code.size(); ++i) {
-    const char c = code[i];
-    const char next = i + 1 < code.size() ? code[i + 1] : '\0';
-    switch (where) {
-      case plain:
-        if (c == '/' && next == '/') where = lineComment;
-        if (c == '/' && next == '*') where = blockComment;
-        if (c == '"') where = text;
-        // A quote behind a digit separates digits: 1'000.
-        if (c == '\'' && !(i > 0 && std::isalnum(static_cast<unsigned char>(code[i - 1]))))
-          where = character;
-        if (where == lineComment || where == blockComment) code[i] = ' ';
-        break;
-      case lineComment:
-        if (c == '\n')
-          where = plain;
-        else
-          code[i] = ' ';
-        break;
-      case blockComment:
-        if (c == '*' && next == '/') {
-          code[i] = code[i + 1] = ' ';
-          ++i;
-          where = plain;
-        } else if (c != '\n') {
-          code[i] = ' ';
-        }
-        break;
-      case text:
-      case character:
-        if (c == '\\')
-          ++i;
-        else if (c == '\n' || c == (where == text ? '"' : '\''))
-          where = plain;
-        break;
+  std::string joined;
+  for (std::size_t i = 0; i < source.size(); ++i) {
+    if (source[i] == '\\') {
+      // GCC lets blanks stand between the backslash and the end of the line.
+      const auto end = source.find_first_not_of(" \t\r", i + 1);
+      if (end != std::string_view::npos && source[end] == '\n') {
+        i = end;
+        continue;
+      }
+    }
+    joined += source[i];
+  }
+  std::string code;
+  bool directive = false;  // on a line that begins with #
+  bool lineEmpty = true;
+  auto partOfName = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; };
+  for (std::size_t i = 0; i < joined.size();) {
+    const char c = joined[i];
+    const char next = i + 1 < joined.size() ? joined[i + 1] : '\0';
+    if (c == '/' && next == '/') {
+      i = std::min(joined.find('\n', i), joined.size());
+    } else if (c == '/' && next == '*') {
+      const auto end = std::min(joined.find("*/", i + 2), joined.size());
+      i = std::min(end + 2, joined.size());
+      code += ' ';
+    } else if (c == '"' && !code.empty() && code.back() == 'R' && !directive) {
+      // R"mark( ... )mark": nothing inside has a meaning, not even the end of a line.
+      const auto bracket = joined.find('(', i);
+      if (bracket == std::string::npos) return code;
+      const std::string mark = ")" + joined.substr(i + 1, bracket - i - 1) + "\"";
+      const auto end = joined.find(mark, bracket);
+      i = end == std::string::npos ? joined.size() : end + mark.size();
+      code += "\"\"";
+    } else if (c == '"' || (c == '\'' && (code.empty() || !partOfName(code.back())))) {
+      // A quote behind a digit separates digits: 1'000.
+      code += c;
+      for (++i; i < joined.size() && joined[i] != c && joined[i] != '\n'; ++i) {
+        if (directive) code += joined[i];
+        if (joined[i] == '\\' && !directive) ++i;
+      }
+      if (i < joined.size() && joined[i] == c) {
+        code += c;
+        ++i;
+      }
+    } else if (lineEmpty && (c == '#' || (c == '%' && next == ':'))) {
+      directive = true;
+      lineEmpty = false;
+      code += '#';
+      i += c == '#' ? 1 : 2;
+    } else {
+      if (c == '\n') {
+        directive = false;
+        lineEmpty = true;
+      } else if (!std::isspace(static_cast<unsigned char>(c))) {
+        lineEmpty = false;
+      }
+      code += c;
+      ++i;
     }
   }
   return code;
@@ -195,15 +219,22 @@ void screenSource(std::string_view source, Screening& result) {
   if (source.find('\0') != std::string_view::npos)
     result.refused.push_back("The file is not text: it holds a zero byte.");
   const std::string code = codeOnly(source);
-  for (const char* word : {"asm", "__asm", "__asm__"}) {
-    if (hasWord(code, word)) {
-      result.refused.push_back(
-          "It holds assembly code, which can do anything: an answer is written in C++.");
-      break;
-    }
+  auto hasAny = [&](std::initializer_list<const char*> all) {
+    return std::any_of(all.begin(), all.end(), [&](const char* w) { return hasWord(code, w); });
+  };
+  if (hasAny({"asm", "__asm", "__asm__"})) {
+    result.refused.push_back(
+        "It holds assembly code, which can do anything: an answer is written in C++.");
   }
-  if (hasWord(code, "constructor") && hasWord(code, "__attribute__")) {
-    result.refused.push_back("It asks for code to run before main (attribute 'constructor').");
+  if (hasAny({"constructor", "__constructor__", "destructor", "__destructor__"}) &&
+      (hasAny({"__attribute__", "__attribute"}) || code.find("[[") != std::string::npos)) {
+    result.refused.push_back(
+        "It asks for code to run before or after main (attribute 'constructor').");
+  }
+  // Such words can be put together where no reader sees them.
+  if (code.find("##") != std::string::npos || code.find("%:%:") != std::string::npos ||
+      hasAny({"__CONCAT", "EIGEN_CAT", "EIGEN_CAT2"})) {
+    result.refused.push_back("It pastes names together (##), which an answer does not need.");
   }
   for (const auto& line : splitLines(code)) {
     const std::string text = trimmed(line);
@@ -213,12 +244,66 @@ void screenSource(std::string_view source, Screening& result) {
         directive.starts_with("embed")) {
       const auto quote = directive.find_first_of("\"<");
       const std::string path = quote == std::string::npos ? "" : directive.substr(quote + 1);
-      if (path.starts_with("/") || path.find("..") != std::string::npos) {
+      if (path.empty()) {
+        result.refused.push_back("It includes a file whose name it computes: " + directive);
+      } else if (path.starts_with("/") || path.find("..") != std::string::npos) {
         result.refused.push_back("It includes a file outside the course: " + directive);
       } else if (path.starts_with("grading/") || path.starts_with("support/") ||
                  path.starts_with("catch2/")) {
         result.refused.push_back("It includes the grader's own files: " + directive);
       }
+    }
+  }
+}
+
+void screenIncludes(const Project& project, const Exercise& exercise,
+                    const std::vector<fs::path>& included, const fs::path& source,
+                    Screening& result) {
+  std::error_code none;
+  auto real = [&](const fs::path& path) {
+    const auto canonical = fs::weakly_canonical(path, none);
+    return none ? path : canonical;
+  };
+  auto below = [](const fs::path& path, const fs::path& folder) {
+    const auto [end, rest] = std::mismatch(folder.begin(), folder.end(), path.begin(), path.end());
+    static_cast<void>(rest);
+    return end == folder.end();
+  };
+  const auto& entry = project.entry(exercise);
+  std::vector<fs::path> course = {real(entry.at("home").get<std::string>()),
+                                  real(project.text("no_geometry_include"))};
+  for (const auto& include : project.manifest.at("includes"))
+    course.push_back(real(include.get<std::string>()));
+  std::vector<fs::path> system = {"/usr", "/opt", "/nix/store", "/gnu/store"};
+  for (const auto& include : project.manifest.at("system_includes")) {
+    if (!include.get<std::string>().empty()) system.push_back(real(include.get<std::string>()));
+  }
+  const fs::path own = real(source);
+  // What the build puts in front of every submission.
+  const fs::path precompiled = real(project.build / "course_pch");
+  const fs::path root = real(project.root);
+  const bool noGeometry = entry.at("no_geometry").get<bool>();
+  for (const auto& file : included) {
+    const fs::path path = real(file);
+    if (path == own || below(path, precompiled)) continue;
+    auto holds = [&](const fs::path& folder) { return below(path, folder); };
+    if (std::any_of(course.begin(), course.end(), holds)) {
+      if (path.extension() == ".hpp" || below(path, course[1])) continue;
+      result.refused.push_back("It includes the library's own code, " + path.filename().string() +
+                               ": that is the answer itself.");
+      return;
+    }
+    if (below(path, root) || std::none_of(system.begin(), system.end(), holds)) {
+      result.refused.push_back("It includes a file outside the course: " + file.string());
+      return;
+    }
+    if (!noGeometry) continue;
+    for (const char* part : {"Geometry", "LU", "SVD", "Eigenvalues"}) {
+      if (path.string().find(std::string("/Eigen/src/") + part + "/") == std::string::npos)
+        continue;
+      result.refused.push_back(std::string("It includes Eigen/") + part +
+                               ": this exercise writes by hand what is there.");
+      return;
     }
   }
 }

@@ -21,6 +21,13 @@ struct Screening {
 /// Looks at the source text for what leaves no trace in the object file.
 void screenSource(std::string_view source, Screening& result);
 
+/// Looks at the files that the compiler read for a submission: its own, the course's headers, the system's.
+/// \param included as the compiler lists them, see Compiled::included
+/// \param source the submission
+void screenIncludes(const Project& project, const Exercise& exercise,
+                    const std::vector<fs::path>& included, const fs::path& source,
+                    Screening& result);
+
 /// Looks at the symbols that the object defines and needs.
 /// \param project the compiler's tools
 /// \param object the compiled submission

@@ -41,7 +41,24 @@ struct Report {
     if (write(file, text.data(), text.size()) < 0) std::abort();
   }
 
-  void end(int exitCode) const {
+  // A function has one answer to a question, whenever it is asked.
+  void askAgain() {
+    if (asked == 0 || wrong > 0) return;
+    json event = {{"call", "the same call again"},
+                  {"about", "The same questions were asked once more, in another order."},
+                  {"expected", "the same answers"}};
+    try {
+      if (answersAlike()) return;
+      event.update({{"event", "wrong"}, {"got", "other answers than the first time"}});
+    } catch (const std::exception& e) {
+      event.update({{"event", "stopped"}, {"got", e.what()}});
+    }
+    ++wrong;
+    line(event);
+  }
+
+  void end(int exitCode) {
+    askAgain();
     const char* nonce = std::getenv("CAROM_NONCE");
     line({{"event", "end"},
           {"asked", asked},

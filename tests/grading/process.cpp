@@ -2,7 +2,9 @@
 
 #include <fcntl.h>
 #include <poll.h>
+#include <sys/prctl.h>
 #include <sys/resource.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -10,6 +12,14 @@
 #include <chrono>
 #include <csignal>
 #include <cstring>
+
+#if __has_include(<linux/seccomp.h>) && (defined(__x86_64__) || defined(__aarch64__))
+#include <linux/audit.h>
+#include <linux/capability.h>
+#include <linux/filter.h>
+#include <linux/seccomp.h>
+#define CAROM_HAS_SECCOMP 1
+#endif
 
 namespace carom::grading {
 
@@ -20,7 +30,139 @@ void limit(__rlimit_resource what, rlim_t value) {
   setrlimit(what, &both);
 }
 
+#ifdef CAROM_HAS_SECCOMP
+
+// What a program needs that is loaded, computes, and answers on open files. Everything else fails with EPERM,
+// which a harmless program survives.
+constexpr unsigned kHarmless[] = {
+    __NR_read,
+    __NR_write,
+    __NR_readv,
+    __NR_writev,
+    __NR_pread64,
+    __NR_lseek,
+    __NR_close,
+    __NR_fstat,
+    __NR_newfstatat,
+    __NR_statx,
+    __NR_faccessat,
+    __NR_faccessat2,
+    __NR_readlinkat,
+    __NR_mmap,
+    __NR_mprotect,
+    __NR_munmap,
+    __NR_mremap,
+    __NR_brk,
+    __NR_madvise,
+    __NR_execveat,
+    __NR_exit,
+    __NR_exit_group,
+    __NR_rt_sigaction,
+    __NR_rt_sigprocmask,
+    __NR_rt_sigreturn,
+    __NR_sigaltstack,
+    __NR_futex,
+    __NR_set_tid_address,
+    __NR_set_robust_list,
+    __NR_rseq,
+    __NR_getrandom,
+    __NR_getpid,
+    __NR_gettid,
+    __NR_getuid,
+    __NR_geteuid,
+    __NR_getgid,
+    __NR_getegid,
+    __NR_getppid,
+    __NR_clock_gettime,
+    __NR_clock_nanosleep,
+    __NR_nanosleep,
+    __NR_gettimeofday,
+    __NR_uname,
+    __NR_sched_yield,
+    __NR_sched_getaffinity,
+    __NR_restart_syscall,
+    __NR_getrusage,
+#ifdef __x86_64__
+    __NR_stat,
+    __NR_lstat,
+    __NR_access,
+    __NR_readlink,
+    __NR_arch_prctl,
+    __NR_getrlimit,
+    __NR_time,
+#endif
+};
+
+constexpr unsigned kMachine =
+#ifdef __x86_64__
+    AUDIT_ARCH_X86_64;
+#else
+    AUDIT_ARCH_AARCH64;
+#endif
+
+// The lower half of argument i of a system call (both machines are little-endian).
+constexpr unsigned argument(int i) {
+  return static_cast<unsigned>(offsetof(seccomp_data, args) + 8u * static_cast<unsigned>(i));
+}
+
+#endif
+
 }  // namespace
+
+bool enterSandbox() {
+#ifdef CAROM_HAS_SECCOMP
+  // No new rights by exec, and for root none of the old ones either: uid 0 alone opens no other process.
+  prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0);
+  for (unsigned long capability = 0; capability < 64; ++capability)
+    prctl(PR_CAPBSET_DROP, capability, 0, 0, 0);
+  __user_cap_header_struct header{_LINUX_CAPABILITY_VERSION_3, 0};
+  __user_cap_data_struct none[2]{};
+  syscall(SYS_capset, &header, none);
+
+  constexpr unsigned short load = BPF_LD | BPF_W | BPF_ABS;
+  constexpr unsigned short equal = BPF_JMP | BPF_JEQ | BPF_K;
+  constexpr unsigned short anyBit = BPF_JMP | BPF_JSET | BPF_K;
+  constexpr unsigned short leave = BPF_RET | BPF_K;
+  constexpr unsigned allow = SECCOMP_RET_ALLOW;
+  constexpr unsigned refuse = SECCOMP_RET_ERRNO | EPERM;
+  constexpr unsigned number = offsetof(seccomp_data, nr);
+  constexpr unsigned writing =
+      O_ACCMODE | O_CREAT | O_TRUNC | O_APPEND | (O_TMPFILE & ~O_DIRECTORY);
+  const auto self = static_cast<unsigned>(getpid());
+  sock_filter program[40 + 2 * std::size(kHarmless)];
+  unsigned short size = 0;
+  auto add = [&](unsigned short code, unsigned k, unsigned char yes = 0, unsigned char no = 0) {
+    program[size++] = sock_filter{code, yes, no, k};
+  };
+  // allowed(call, i, test, k): the call when argument i passes the test.
+  auto allowed = [&](unsigned call, int i, unsigned short test, unsigned k, bool wanted) {
+    add(equal, call, 0, 4);
+    add(load, argument(i));
+    add(test, k, wanted ? 0 : 1, wanted ? 1 : 0);
+    add(leave, allow);
+    add(leave, refuse);
+  };
+  add(load, offsetof(seccomp_data, arch));
+  add(equal, kMachine, 1, 0);
+  add(leave, refuse);
+  add(load, number);
+  for (const unsigned call : kHarmless) {
+    add(equal, call, 0, 1);
+    add(leave, allow);
+  }
+  allowed(__NR_openat, 2, anyBit, writing, false);
+#ifdef __x86_64__
+  allowed(__NR_open, 1, anyBit, writing, false);
+#endif
+  allowed(__NR_prlimit64, 0, equal, 0, true);  // its own limits
+  allowed(__NR_tgkill, 0, equal, self, true);  // abort()
+  add(leave, refuse);
+  const sock_fprog all{size, program};
+  return prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &all, 0, 0) == 0;
+#else
+  return false;
+#endif
+}
 
 void applyLimits(const Limits& limits) {
   limit(RLIMIT_CORE, 0);

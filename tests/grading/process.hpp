@@ -22,6 +22,11 @@ struct Limits {
 /// Takes over the limits in a process that is about to become the child. Wall time and output are its parent's work.
 void applyLimits(const Limits& limits);
 
+/// Shuts the calling process in, for good and for everything that it starts: from here on it can read, compute and
+/// answer on the files that are open already, but not write to another, start or signal a process, or look into
+/// one. Needs no rights. For the child between fork and exec. \return false where the system has no such lock
+bool enterSandbox();
+
 /// Says how a process ended: "crashed (segmentation fault)", "ended with exit code 3".
 std::string describeEnd(int waitStatus);
 

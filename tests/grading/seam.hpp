@@ -242,6 +242,10 @@ struct Call<R(P...)> {
 /// The pipe to the submission, started at the first call (trusted side).
 Channel& submission();
 
+/// Does the submission answer the same questions the same way a second time? True where nothing went through the
+/// pipe. \throws SubmissionStopped
+bool answersAlike();
+
 /// A submission's function that the pipe can ask for.
 using Handler = std::function<std::string(Reader&, Channel&)>;
 
