@@ -18,7 +18,7 @@ constexpr Real kTiny = 0x1p-27;
 
 // sin(x + low) for |x| <= pi/4. The series of sine up to x^17: the next term is below 1e-19 of x.
 Real sineNearZero(Real x, Real low) {
-  if (std::abs(x) < kTiny) return x + low;
+  if (low == 0 && std::abs(x) < kTiny) return x;
   const Real z = x * x;
   Real tail = 1.0 / 355687428096000;              // 1/17!
   tail = -1.0 / 1307674368000 + z * tail;         // -1/15!

@@ -16,13 +16,9 @@ EulerAngles matrixToEuler(const Matrix3& R) {
   angles.pitch = arctangent2(-R(2, 0), cosPitch);
   angles.roll = cosPitch > 0 ? arctangent2(R(2, 1), R(2, 2)) : 0;
 
-  // Below one half the error of roll is more than twice a rounding error, and yaw must undo it.
-  if (cosPitch > 0.5) {
-    angles.yaw = arctangent2(R(1, 0), R(0, 0));
-  } else {
-    const Real s = sine(angles.roll), c = cosine(angles.roll);
-    angles.yaw = arctangent2(s * R(0, 2) - c * R(0, 1), c * R(1, 1) - s * R(1, 2));
-  }
+  // The second column of R Rx(-roll) = Rz(yaw) Ry(pitch) is (-sin yaw, cos yaw, 0).
+  const Real s = sine(angles.roll), c = cosine(angles.roll);
+  angles.yaw = arctangent2(s * R(0, 2) - c * R(0, 1), c * R(1, 1) - s * R(1, 2));
   return angles;
 }
 

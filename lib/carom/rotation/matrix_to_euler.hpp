@@ -4,10 +4,12 @@
 // Read the angles off the entries of R = Rz Ry Rx with arctangents of two arguments, which know the
 // quadrant and lose no digits where arcsine and arccosine do. The trap is gimbal lock: towards
 // pitch = +-pi/2 the entries that hold roll and yaw shrink to rounding noise. Roll may then be
-// anything, but yaw must fit that roll: it is read from R Rx(-roll) = Rz Ry, whose second column
-// (-sin yaw, cos yaw, 0) never shrinks (after Shoemake, Graphics Gems IV, 1994, and Herter and
-// Lott, Computers & Graphics 17, 1993). So the matrix that is built again from the angles is right
-// everywhere, and at the lock itself roll becomes 0.
+// anything, but yaw must fit that roll. So yaw is not read from the entries where the books read
+// it, but from R Rx(-roll) = Rz Ry, whose second column (-sin yaw, cos yaw, 0) never shrinks (after
+// Shoemake, Graphics Gems IV, 1994, and Herter and Lott, Computers & Graphics 17, 1993). The matrix
+// that is built again from the angles is then right everywhere, without a branch, and in the lock
+// itself, where roll is arctan2(0, 0) = 0, yaw carries the rest. The price: a tiny yaw is right to
+// an ulp of 1, not of itself.
 
 #include "carom/rotation/euler_angles.hpp"
 

@@ -9,7 +9,8 @@
 
 namespace carom {
 
-/// The quaternion of norm 1 in the direction of q; its norm is within 2 ulp of 1.
+/// The quaternion of norm 1 in the direction of q; its norm is within 2 ulp of 1. Doing it
+/// twice is the same as doing it once.
 /// \param q any quaternion but zero
 /// \return q / |q|
 /// \throws InvalidInput if q is zero or not finite
