@@ -1,6 +1,5 @@
 // Mass properties before a judge: exact rational arithmetic, by formulas that the library does not
-// use, and
-// CGAL's own predicates on meshes.
+// use, and CGAL's own predicates on meshes.
 //
 // The integrals are Eberly's (Polyhedral Mass Properties, 2002): surface integrals of polynomials
 // in one coordinate after the other, not sums over tetrahedra. In rational numbers they have no
@@ -16,6 +15,7 @@
 
 #include <array>
 #include <cmath>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -26,6 +26,7 @@
 #include "carom/mass/meshes.hpp"
 #include "carom/mass/random.hpp"
 #include "carom/mass/signed_volume.hpp"
+#include "carom_io/mesh_file.hpp"
 #include "support/catch.hpp"
 
 using carom::Matrix3;
@@ -156,29 +157,23 @@ TriangleMesh dentedBall() {
   return mesh;
 }
 
-TriangleMesh gear() {
-  std::vector<carom::Vector2> outline;
-  std::vector<carom::Vector2> hole;
-  for (int i = 0; i < 96; ++i) {
-    const Real angle = 2 * 3.14159265358979 * i / 96;
-    const carom::Vector2 direction(std::cos(angle), std::sin(angle));
-    outline.push_back((i / 2 % 2 == 0 ? 1.0 : 0.8) * direction);
-    hole.push_back(0.3 * direction);
-  }
-  return carom::hollowPrismMesh(outline, hole, 0.25);
-}
-
+// Meshes made by formula, and the files of tests/meshes.
 std::vector<Named> goodMeshes() {
-  return {{"box", carom::boxMesh({0, 0, 0}, {1, 2, 3})},
-          {"turned box", carom::transformed(carom::boxMesh({0, 0, 0}, {1, 2, 3}), thirdTurn())},
-          {"tetrahedron", carom::tetrahedronMesh({0.1, 0.2, 0.3}, {5, 0.7, 0.11}, {0.13, 4, 0.17},
-                                                 {0.19, 0.23, 3})},
-          {"torus", carom::torusMesh(2, 0.5, 40, 20)},
-          {"ellipsoid", carom::ellipsoidMesh({3, 2, 1}, 24)},
-          {"dented ball", dentedBall()},
-          {"gear", carom::transformed(gear(), thirdTurn())},
-          {"hollow ball", carom::joined(carom::icosphereMesh(1, 2),
-                                        carom::reversed(carom::icosphereMesh(0.9, 2)))}};
+  std::vector<Named> meshes{
+      {"box", carom::boxMesh({0, 0, 0}, {1, 2, 3})},
+      {"turned box", carom::transformed(carom::boxMesh({0, 0, 0}, {1, 2, 3}), thirdTurn())},
+      {"tetrahedron",
+       carom::tetrahedronMesh({0.1, 0.2, 0.3}, {5, 0.7, 0.11}, {0.13, 4, 0.17}, {0.19, 0.23, 3})},
+      {"torus", carom::torusMesh(2, 0.5, 40, 20)},
+      {"ellipsoid", carom::ellipsoidMesh({3, 2, 1}, 24)},
+      {"dented ball", dentedBall()},
+      {"hollow ball",
+       carom::joined(carom::icosphereMesh(1, 2), carom::reversed(carom::icosphereMesh(0.9, 2)))}};
+  for (const char* file : {"gear.off", "die.obj", "bracket.stl", "torus.ply", "knot.ply"}) {
+    const TriangleMesh mesh = carom::io::readMesh(std::filesystem::path(CAROM_MESH_DIR) / file);
+    meshes.push_back({file, carom::transformed(mesh, thirdTurn())});
+  }
+  return meshes;
 }
 
 Mesh surfaceMeshOf(const TriangleMesh& mesh) {
