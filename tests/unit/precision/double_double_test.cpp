@@ -10,7 +10,8 @@ namespace {
 
 // A whole number of up to 106 bits, as high + low that do not overlap.
 DoubleDouble wide(std::mt19937_64& engine, int bits) {
-  return exactProduct(whole(engine, bits / 2), whole(engine, bits - bits / 2));
+  const Real a = whole(engine, bits / 2), b = whole(engine, bits - bits / 2);
+  return exactProduct(a, b);
 }
 
 bool isNormal(const DoubleDouble& value) {

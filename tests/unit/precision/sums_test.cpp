@@ -64,7 +64,8 @@ TEST_CASE("a compensated sum of whole numbers agrees with integers of 128 bits")
     NeumaierSum sum;
     Integer reference = 0;
     for (int i = 0; i < 50; ++i) {
-      const Real term = std::ldexp(whole(engine, 53), static_cast<int>(engine() % 40));
+      const Real size = whole(engine, 53);
+      const Real term = std::ldexp(size, static_cast<int>(engine() % 40));
       sum.add(term);
       reference += Integer(term);
     }
@@ -101,7 +102,8 @@ TEST_CASE("an exact sum of numbers that cancel in pairs is zero, in any order") 
   for (int round = 0; round < 200; ++round) {
     std::vector<Real> terms;
     for (int i = 0; i < 30; ++i) {
-      const Real term = std::ldexp(whole(engine, 53), static_cast<int>(engine() % 1800) - 900);
+      const Real size = whole(engine, 53);
+      const Real term = std::ldexp(size, static_cast<int>(engine() % 1800) - 900);
       terms.push_back(term);
       terms.push_back(-term);
     }

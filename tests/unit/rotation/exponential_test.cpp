@@ -58,7 +58,8 @@ TEST_CASE("the zero vector is the identity, and so are vectors too short to be f
 TEST_CASE("the exponential has norm 1 for vectors of any length") {
   Random random(402);
   for (int i = 0; i < 10000; ++i) {
-    const Vector3 v = random.inBox(1) * std::exp(random.between(-40, 40));
+    const Vector3 direction = random.inBox(1);
+    const Vector3 v = direction * std::exp(random.between(-40, 40));
     REQUIRE(std::abs(Real(norm(quaternionExponential(v)) - 1)) <= 4.5e-16);
   }
 }
@@ -66,8 +67,9 @@ TEST_CASE("the exponential has norm 1 for vectors of any length") {
 TEST_CASE("the logarithm undoes the exponential up to half a turn") {
   Random random(403);
   for (int i = 0; i < 20000; ++i) {
-    const Vector3 v = random.inBox(1).normalized() * random.between(0, kPi);
-    REQUIRE(distance(quaternionLogarithm(quaternionExponential(v)), v) <= 1e-15);
+    const Vector3 axis = random.inBox(1).normalized();
+    const Vector3 v = axis * random.between(0, kPi);
+    REQUIRE(distance(quaternionLogarithm(quaternionExponential(v)), v) <= 2e-15);
   }
 }
 
