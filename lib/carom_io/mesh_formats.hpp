@@ -42,22 +42,28 @@ class TextReader {
   std::optional<std::string_view> word();
   /// The next word of this line or of the next ones.
   /// \param wanted what should come, for the message
+  /// \return the word
   std::string_view wordAnywhere(const std::string& wanted);
   /// The next word of this line as a finite number. \param wanted what should come, for the message
+  /// \return the number
   Real number(const std::string& wanted);
   /// The next word of this line as a whole number. \param wanted what should come, for the message
+  /// \return the number
   std::int64_t whole(const std::string& wanted);
   /// A word as a finite number.
   /// \param text the word
   /// \param wanted what it should be, for the message
+  /// \return the number
   Real numberIn(std::string_view text, const std::string& wanted) const;
   /// A word as a whole number.
   /// \param text the word
   /// \param wanted what it should be, for the message
+  /// \return the number
   std::int64_t wholeIn(std::string_view text, const std::string& wanted) const;
   /// A count that the rest of the file can hold. \param count as read
   /// \param bytesEach the fewest bytes that one takes
   /// \param wanted what is counted, for the message
+  /// \return the count
   std::size_t fitting(std::int64_t count, std::size_t bytesEach, const std::string& wanted) const;
   /// Ends reading with the current line. \param what is wrong
   [[noreturn]] void fail(const std::string& what) const;

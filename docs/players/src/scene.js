@@ -290,7 +290,7 @@ export class Stage {
     const aspect = width / height;
     if (this.flat) {
       const size = this.box.getSize(new THREE.Vector3());
-      const half = this.header.view.distance ?? 0.55 * Math.max(size.y, size.x / aspect, 1e-9);
+      const half = this.header.view.distance ?? 0.62 * Math.max(size.y, size.x / aspect, 1e-9);
       Object.assign(this.camera, { left: -half * aspect, right: half * aspect, top: half, bottom: -half });
     } else {
       this.camera.aspect = aspect;
