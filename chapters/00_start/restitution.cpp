@@ -28,13 +28,13 @@ Result play(Real dt, Real restitution, bool askFirst) {
     const Pair before = pair;
     step(pair, dt, restitution, askFirst);
     if (result.approach == 0 && pair.red.velocity != before.red.velocity) {
-      const Vector2 offset = pair.red.position - pair.white.position;
+      const Vector2 offset = pair.red.position - pair.blue.position;
       normal = offset.normalized();
       result.overlap = 2 * kRadius - offset.norm();
-      result.approach = normal.dot(before.white.velocity - before.red.velocity);
+      result.approach = normal.dot(before.blue.velocity - before.red.velocity);
     }
   }
-  result.apart = normal.dot(pair.red.velocity - pair.white.velocity);
+  result.apart = normal.dot(pair.red.velocity - pair.blue.velocity);
   result.lost = initialEnergy - energy(pair);
   return result;
 }
