@@ -21,7 +21,10 @@ struct Id {
   std::uint32_t index = 0;       ///< place in the array
   std::uint32_t generation = 0;  ///< how often the place has been handed out; 0 means null
 
-  /// Compares index, then generation. \param other another id of the same kind \return the order
+  /// Compares index, then generation.
+  /// \param self one id
+  /// \param other another id of the same kind
+  /// \return their order
   friend constexpr auto operator<=>(const Id& self, const Id& other) = default;
 
   /// Does this id name nothing? \return true for a default-constructed id

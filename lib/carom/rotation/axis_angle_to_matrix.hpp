@@ -16,7 +16,8 @@ namespace carom {
 /// \param angle [rad], any size
 /// \return 3x3 rotation matrix [1]
 /// \throws InvalidInput if the axis is zero or not finite, or the angle is not finite
-/// \source{3} \erratum{3.9}
+/// \source{3}
+/// \erratum{3.9}
 /// \ingroup rotation
 Matrix3 axisAngleToMatrix(const Vector3& axis, Real angle);
 

@@ -15,7 +15,8 @@ namespace carom {
 /// \param angle [rad], any size; a whole turn more gives the other sign, which is the same rotation
 /// \return (cos angle/2, unit axis * sin angle/2)
 /// \throws InvalidInput if the axis is zero or not finite, or the angle is not finite
-/// \source{3,7} \erratum{3.10,3.11}
+/// \source{3,7}
+/// \erratum{3.10,3.11}
 /// \ingroup rotation
 Quaternion axisAngleToQuaternion(const Vector3& axis, Real angle);
 

@@ -16,7 +16,8 @@ namespace carom {
 /// \param angles roll, pitch, yaw [rad, world axes], any size
 /// \return 3x3 matrix that turns coordinates in the body into coordinates in the world [1]
 /// \throws InvalidInput if an angle is not finite
-/// \source{1,2} \erratum{3.8}
+/// \source{1,2}
+/// \erratum{3.8}
 /// \ingroup rotation
 Matrix3 eulerToMatrix(const EulerAngles& angles);
 

@@ -15,7 +15,8 @@ namespace carom {
 /// \param q left factor, applied last
 /// \param r right factor, applied first
 /// \return q r; its norm is |q| |r|. Not-a-number goes in and comes out
-/// \source{5,6,8} \erratum{2.3,3.12}
+/// \source{5,6,8}
+/// \erratum{2.3,3.12}
 /// \ingroup rotation
 Quaternion hamiltonProduct(const Quaternion& q, const Quaternion& r);
 

@@ -11,8 +11,8 @@ namespace {
 
 constexpr Real kSqrt15Over3 = 1.29099444873580562839;
 
-// The commutator of two small turns, as a rotation vector. In the body turns multiply from the right,
-// so the order is the reverse of the textbook's.
+// The commutator of two small turns, as a rotation vector. In the body turns multiply from the
+// right, so the order is the reverse of the textbook's.
 Vector3 bracket(const Vector3& a, const Vector3& b) {
   return cross(b, a);
 }

@@ -19,7 +19,8 @@ namespace carom {
 /// \param dt duration [s]; negative turns back
 /// \return orientation at the end, body to world, unit norm
 /// \throws InvalidInput if q is zero, or anything is not finite
-/// \source{14} \erratum{4.2,4.3}
+/// \source{14}
+/// \erratum{4.2,4.3}
 /// \ingroup rotation
 Quaternion integrateOrientation(const Quaternion& q, const Vector3& angularVelocity, Real dt);
 

@@ -8,8 +8,9 @@
 namespace carom {
 namespace {
 
-// A matrix with entries up to 1 and a smaller determinant is far from any multiple of a rotation, for
-// which it is at least 0.06, and the rotation nearest to it would be a matter of rounding errors.
+// A matrix with entries up to 1 and a smaller determinant is far from any multiple of a rotation,
+// for which it is at least 0.06, and the rotation nearest to it would be a matter of rounding
+// errors.
 constexpr Real kFlat = 1e-3;
 constexpr int kMaxSteps = 60;  // the error halves at first, then squares: beyond any need
 

@@ -13,7 +13,8 @@
 namespace carom {
 
 /// q = w + x i + y j + z k with i² = j² = k² = ijk = -1. A rotation is a quaternion of norm 1; q
-/// and -q are the same rotation. Default: the identity. \source{4,5,6}
+/// and -q are the same rotation. Default: the identity.
+/// \source{4,5,6}
 /// \ingroup rotation
 struct Quaternion {
   Real w = 1;  ///< real part, cos(angle/2) for a rotation

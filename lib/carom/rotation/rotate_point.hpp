@@ -15,7 +15,8 @@ namespace carom {
 /// \param v point relative to the centre of rotation, or free vector [any unit, body]
 /// \return v turned [same unit, world], same length as v
 /// \throws InvalidInput if q is zero or not finite
-/// \source{9} \erratum{3.13}
+/// \source{9}
+/// \erratum{3.13}
 /// \ingroup rotation
 Vector3 rotatePoint(const Quaternion& q, const Vector3& v);
 
