@@ -1,17 +1,18 @@
 #pragma once
 // What happens when the input is wrong?
 //
-// A public function that is given something it cannot work with (a negative mass, a NaN, a broken mesh) throws
-// InvalidInput and leaves its arguments as they were. The message names the value and the rule. Wrong use
-// inside the library is a bug and ends the program (expect.hpp); an iteration that does not converge is
-// neither, and is a status in the result.
+// A public function that is given something it cannot work with (a negative mass, a NaN, a broken
+// mesh) throws InvalidInput and leaves its arguments as they were. The message names the value and
+// the rule. Wrong use inside the library is a bug and ends the program (expect.hpp); an iteration
+// that does not converge is neither, and is a status in the result.
 
 #include <stdexcept>
 #include <string>
 
 namespace carom {
 
-/// Thrown by public functions for input that they cannot work with; what() names the value and the rule.
+/// Thrown by public functions for input that they cannot work with; what() names the value and the
+/// rule.
 /// \ingroup core
 class InvalidInput : public std::invalid_argument {
  public:

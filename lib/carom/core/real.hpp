@@ -1,9 +1,9 @@
 #pragma once
 // Which number and which vectors does Carom compute with?
 //
-// One scalar type for the whole library: double. A float has 24 bits, so a body 1 km from the origin would
-// know its place to 0.06 mm only; chapter 7 measures what that does. Templates on the scalar stay in the few
-// places whose lesson is precision.
+// One scalar type for the whole library: double. A float has 24 bits, so a body 1 km from the
+// origin would know its place to 0.06 mm only; chapter 7 measures what that does. Templates on the
+// scalar stay in the few places whose lesson is precision.
 
 #include <Eigen/Core>
 

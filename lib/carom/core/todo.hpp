@@ -1,8 +1,8 @@
 #pragma once
 // The placeholder in an exercise.
 //
-// A skeleton must compile and must not answer anything: a zero would sometimes be right. So it throws, and
-// the runner says "not started" instead of "wrong".
+// A skeleton must compile and must not answer anything: a zero would sometimes be right. So it
+// throws, and the runner says "not started" instead of "wrong".
 
 #include "carom/core/errors.hpp"
 
