@@ -122,6 +122,10 @@ Compiled compileSubmission(const Project& project, const Exercise& exercise, con
   command.words = {project.text("compiler")};
   append(command.words, list(project.manifest.at("flags")));
   append(command.words, list(project.manifest.at("submission_flags")));
+  // Templates and constant expressions that compute for ever end here, long before the limits on time and memory.
+  const bool clang = project.text("compiler_id").find("Clang") != std::string::npos;
+  append(command.words, {"-ftemplate-depth=512",
+                         clang ? "-fconstexpr-steps=4000000" : "-fconstexpr-ops-limit=4000000"});
   if (entry.at("no_geometry").get<bool>())
     command.words.push_back("-I" + project.text("no_geometry_include"));
   for (const auto& include : list(project.manifest.at("includes")))

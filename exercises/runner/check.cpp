@@ -184,10 +184,11 @@ grading::Finished runTests(const Runnable& runnable, const std::string& test,
   command.environment.push_back("CAROM_REPORT=" + report.string());
   command.environment.push_back("CAROM_NONCE=" + nonce);
   command.directory = folder.string();
-  command.limits = {.wallSeconds = 20,
-                    .cpuSeconds = !linked                  ? 20
-                                  : runnable.answerSeconds ? runnable.answerSeconds
-                                                           : 10,
+  const int seconds = runnable.answerSeconds;
+  command.limits = {.wallSeconds = seconds ? 5.0 * seconds : 20,
+                    .cpuSeconds = !linked   ? 20
+                                  : seconds ? seconds
+                                            : 10,
                     .memoryMegabytes = linked ? 1024 : 0,
                     .fileKilobytes = 16 << 10,
                     .outputKilobytes = linked ? 256 : 4096};

@@ -1,0 +1,12 @@
+// Aborts.
+#include "carom/rotation/hamilton_product.hpp"
+
+#include <cstdlib>
+
+namespace carom {
+
+Quaternion hamiltonProduct(const Quaternion&, const Quaternion&) {
+  std::abort();
+}
+
+}  // namespace carom

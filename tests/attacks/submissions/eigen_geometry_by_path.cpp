@@ -1,0 +1,14 @@
+// The same by a path on which the file is not barred.
+#include "carom/rotation/hamilton_product.hpp"
+
+#include <eigen3/Eigen/Geometry>
+
+namespace carom {
+
+Quaternion hamiltonProduct(const Quaternion& q, const Quaternion& r) {
+  const Eigen::Quaterniond product =
+      Eigen::Quaterniond(q.w, q.x, q.y, q.z) * Eigen::Quaterniond(r.w, r.x, r.y, r.z);
+  return {product.w(), product.x(), product.y(), product.z()};
+}
+
+}  // namespace carom

@@ -1,0 +1,2 @@
+// The same by another path.
+#include <carom/rotation/hamilton_product.cpp>
