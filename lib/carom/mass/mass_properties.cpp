@@ -1,8 +1,6 @@
 #include "carom/mass/mass_properties.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <string>
 
 #include "carom/core/errors.hpp"
@@ -10,6 +8,7 @@
 #include "carom/mass/center_of_mass.hpp"
 #include "carom/mass/check_mesh.hpp"
 #include "carom/mass/inertia_tensor.hpp"
+#include "carom/mass/mesh_bounds.hpp"
 #include "carom/mass/signed_volume.hpp"
 #include "carom/mass/tetrahedron_sums.hpp"
 
@@ -40,14 +39,7 @@ struct Place {
 };
 
 Place placeOf(const TriangleMesh& mesh) {
-  Vector3 low = mesh.vertices.front();
-  Vector3 high = low;
-  for (const Vector3& vertex : mesh.vertices) {
-    for (int k = 0; k < 3; ++k) {
-      low[k] = std::min(low[k], vertex[k]);
-      high[k] = std::max(high[k], vertex[k]);
-    }
-  }
+  const auto [low, high] = boundsOf(mesh);
   // The middle of the box, rounded to a coarse power of two: then differences of vertices to it are
   // exact or nearly so, wherever the mesh is, and a mesh around the world's origin is not moved at
   // all.

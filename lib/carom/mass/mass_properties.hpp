@@ -31,10 +31,11 @@ struct MassProperties {
   Matrix3 inertia = Matrix3::Zero();  ///< [kg m^2, axes of the mesh, about the centre of mass]
 };
 
-/// Ratio of volume to bounding box below which massProperties() computes in double-double. At 1/100
-/// the plain pass still has 14 digits; smaller values trade digits for speed on thin bodies.
+/// Ratio of volume to bounding box below which massProperties() computes in double-double. Errors
+/// of the pass in double grow as the inverse of this ratio: at 1/1000 they are about 1e-14. Smaller
+/// values trade digits for speed on thin bodies.
 /// \ingroup mass
-inline constexpr Real kThinSolid = 1e-2;
+inline constexpr Real kThinSolid = 1e-3;
 
 /// Volume, mass, centre and inertia of the solid inside a mesh of constant density. The mesh is
 /// judged first.
