@@ -20,11 +20,22 @@ std::string figureHtml(const std::string& kind, const std::string& source, const
          "</figcaption></figure>\\endhtmlonly";
 }
 
+// A file of code that opens on a click.
+std::string foldedCode(const std::string& kind, const std::string& file) {
+  const std::string name = htmlText(std::filesystem::path(file).filename().string());
+  const std::string summary = kind == "program" ? "The whole program, " + name
+                                                : "The library's version, " + name +
+                                                      " (write your own first: it is an exercise)";
+  return "\\htmlonly<details class=\"carom-plain\"><summary>" + summary +
+         "</summary>\\endhtmlonly\n\\include " + file + "\n\\htmlonly</details>\\endhtmlonly";
+}
+
 }  // namespace
 
 bool filterPage(const std::filesystem::path& projectRoot, const std::filesystem::path& outputFolder,
                 const std::filesystem::path& page) {
   static const std::regex figure(R"(^\\(figure|player) ([^|]+)\|([^|]+)\|([^|]+)$)");
+  static const std::regex folded(R"(^\\(program|answer) (\S+)$)");
   const std::string chapter = page.parent_path().filename().string();
   bool complete = true;
   for (const std::string& line : splitLines(readFile(page))) {
@@ -40,6 +51,8 @@ bool filterPage(const std::filesystem::path& projectRoot, const std::filesystem:
       std::cout << figureHtml(match[1], "programs/" + chapter + "/" + file, trimmed(match[3]),
                               trimmed(match[4]))
                 << '\n';
+    } else if (std::regex_match(line, match, folded)) {
+      std::cout << foldedCode(match[1], match[2]) << '\n';
     } else {
       std::cout << line << '\n';
     }

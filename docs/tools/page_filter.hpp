@@ -4,9 +4,11 @@
 //     \exercises                              the chapter's exercises: table and statements
 //     \figure FILE | what it shows | caption  a picture that the chapter's program drew
 //     \player FILE | what it shows | caption  a recording that the chapter's program wrote
+//     \program FILE                            a whole file of code, folded away
+//     \answer FILE                             the same, for a function that an exercise asks for
 //
-// FILE stands in the output folder of the chapter's programs. A file that is not there ends the program with
-// an error, and so the site's build.
+// The FILE of a picture or recording stands in the output folder of the chapter's programs. A file that is not there
+// is an error of the site's build.
 
 #include <filesystem>
 

@@ -204,7 +204,7 @@ std::string layersDot(const fs::path& projectRoot,
   const std::string table = readFile(projectRoot / "lib/cmake/CaromLayers.cmake");
   static const std::regex uses(R"re(set\(CAROM_USES_(\w+) "?([\w ]*)"?\))re");
   std::ostringstream dot;
-  dot << "digraph layers {\n  rankdir=BT;\n  bgcolor=\"white\";\n"
+  dot << "digraph layers {\n  rankdir=TB;\n  bgcolor=\"white\";\n"
       << "  node [shape=box, style=\"rounded,filled\", fillcolor=\"#e6f2ee\", color=\"#0f6b4f\", "
          "fontname=\"Helvetica\", fontsize=13];\n  edge [color=\"#57606a\"];\n";
   for (std::sregex_iterator it(table.begin(), table.end(), uses), end; it != end; ++it) {

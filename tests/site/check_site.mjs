@@ -56,6 +56,8 @@ async function inspect() {
       return { text: outerText(frame), title: frame.title, x: box.x + scrollX, y: box.y + scrollY,
                width: box.width, height: box.height };
     }),
+    width: Math.max(document.documentElement.scrollWidth,
+                    document.getElementById('doc-content')?.scrollWidth ?? 0),
     links: [...document.querySelectorAll('a[href], area[href]')].map(link => link.href),
     anchors: [...document.querySelectorAll('[id], a[name]')].flatMap(
         node => [node.id, node.getAttribute('name')].filter(Boolean)),
@@ -156,13 +158,8 @@ class Visitor {
       if (colors < 3) this.fault('undrawn-player', frame.text);
     }
     // A page that scrolls sideways on a telephone hides its text. Doxygen's lists of source lines may.
-    if (!/_source\.html$/.test(path)) {
-      await this.tab('Emulation.setDeviceMetricsOverride',
-                     { width: kSmallScreen, height: 800, deviceScaleFactor: 1, mobile: false });
-      const width = await this.evaluate(
-          'Math.max(document.documentElement.scrollWidth, document.getElementById("doc-content")?.scrollWidth ?? 0)');
-      await this.tab('Emulation.clearDeviceMetricsOverride');
-      if (width > kSmallScreen + 1) this.fault('too-wide', `${width} pixels on a screen of ${kSmallScreen}`);
+    if (!/_source\.html$/.test(path) && seen.width > kSmallScreen + 1) {
+      this.fault('too-wide', `${seen.width} pixels on a screen of ${kSmallScreen}`);
     }
     return { path, faults: this.faults, links: seen.links, anchors: new Set(seen.anchors) };
   }
@@ -190,6 +187,8 @@ async function checkAll(browser, pages) {
   await Promise.all(Array.from({ length: kTabs }, async () => {
     const visitor = new Visitor();
     await visitor.start(browser);
+    await visitor.tab('Emulation.setDeviceMetricsOverride',
+                      { width: kSmallScreen, height: 800, deviceScaleFactor: 1, mobile: false });
     while (waiting.length > 0) {
       visits.push(await visitor.check(waiting.shift()));
     }
