@@ -1,0 +1,19 @@
+#include "bounce_back.hpp"
+
+#include <cmath>
+
+#include "carom/core/checks.hpp"
+
+namespace carom {
+
+Real restitutionForHeight(Real dropHeight, Real returnHeight) {
+  requirePositive(dropHeight, "dropHeight");
+  requireNonNegative(returnHeight, "returnHeight");
+  if (returnHeight > dropHeight) {
+    reject("returnHeight", toText(returnHeight),
+           "must not exceed dropHeight " + toText(dropHeight));
+  }
+  return std::pow(returnHeight / dropHeight, 2);
+}
+
+}  // namespace carom

@@ -1,0 +1,18 @@
+#include "gyration_radius.hpp"
+
+#include <Eigen/LU>
+#include <cmath>
+
+#include "carom/core/checks.hpp"
+
+namespace carom {
+
+Real gyrationRadius(const MassProperties& body, const Vector3& axis) {
+  requirePositive(body.mass, "mass");
+  requirePositive(axis.norm(), "length of the axis");
+  const Vector3 n = axis / axis.norm();
+  const Real moment = n.dot(body.inertia.inverse() * n);
+  return std::sqrt(moment / body.mass);
+}
+
+}  // namespace carom

@@ -1,0 +1,19 @@
+#include "carom/mass/signed_volume.hpp"
+
+#include "carom/core/cross.hpp"
+
+namespace carom {
+
+Real signedVolume(const TriangleMesh& mesh) {
+  requireUsable(mesh);  // given: no triangles, bad indices and bad numbers are refused here
+
+  const Vector3 origin = mesh.vertices.front();
+  Real sixVolumes = 0;
+  for (const auto& triangle : mesh.triangles) {
+    const auto [a, b, c] = cornersOf(mesh, triangle);
+    sixVolumes += (a - origin).dot(cross(b - a, c - a));
+  }
+  return sixVolumes / 3;
+}
+
+}  // namespace carom
