@@ -1,0 +1,19 @@
+// Two turns of half the time.
+#include "carom/rotation/integrate_orientation.hpp"
+
+#include <cmath>
+
+#include "carom/core/cross.hpp"
+#include "carom/rotation/hamilton_product.hpp"
+#include "carom/rotation/quaternion_exponential.hpp"
+#include "carom/rotation/renormalize.hpp"
+
+namespace carom {
+
+Quaternion integrateOrientation(const Quaternion& q, const Vector3& angularVelocity, Real dt) {
+  const Quaternion u = renormalize(q);
+  const Quaternion half = quaternionExponential(angularVelocity * (dt / 2));
+  return renormalize(hamiltonProduct(half, hamiltonProduct(half, u)));
+}
+
+}  // namespace carom

@@ -1,0 +1,14 @@
+#include "carom/rotation/quaternion_exponential.hpp"
+
+#include <cmath>
+
+namespace carom {
+
+Quaternion quaternionExponential(const Vector3& rotationVector) {
+  const Real angle = rotationVector.norm();
+  if (angle == 0) return {1, 0, 0, 0};
+  const Vector3 v = std::sin(angle) / angle * rotationVector;
+  return {std::cos(angle), v.x(), v.y(), v.z()};
+}
+
+}  // namespace carom

@@ -1,0 +1,13 @@
+#include "carom/rotation/quaternion_exponential.hpp"
+
+#include <cmath>
+
+namespace carom {
+
+Quaternion quaternionExponential(const Vector3& rotationVector) {
+  const Real angle = rotationVector.norm();
+  const Vector3 v = std::sin(angle / 2) * rotationVector;
+  return {std::cos(angle / 2), v.x(), v.y(), v.z()};
+}
+
+}  // namespace carom

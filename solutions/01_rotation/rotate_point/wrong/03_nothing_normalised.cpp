@@ -1,0 +1,18 @@
+#include "carom/core/cross.hpp"
+#include "carom/core/errors.hpp"
+#include "carom/rotation/conjugate.hpp"
+#include "carom/rotation/hamilton_product.hpp"
+#include "carom/rotation/renormalize.hpp"
+#include "carom/rotation/rotate_point.hpp"
+#include "carom/rotation/scaled_quaternion.hpp"
+
+namespace carom {
+
+Vector3 rotatePoint(const Quaternion& q, const Vector3& v) {
+  if (squaredNorm(q) == 0) throw InvalidInput("q is zero");
+  const Quaternion point{0, v.x(), v.y(), v.z()};
+  const Quaternion turned = hamiltonProduct(hamiltonProduct(q, point), conjugate(q));
+  return {turned.x, turned.y, turned.z};
+}
+
+}  // namespace carom

@@ -1,0 +1,16 @@
+#include "carom/core/cross.hpp"
+#include "carom/core/errors.hpp"
+#include "carom/rotation/conjugate.hpp"
+#include "carom/rotation/hamilton_product.hpp"
+#include "carom/rotation/renormalize.hpp"
+#include "carom/rotation/rotate_point.hpp"
+#include "carom/rotation/scaled_quaternion.hpp"
+
+namespace carom {
+
+Vector3 rotatePoint(const Quaternion& q, const Vector3& v) {
+  const Quaternion turned = hamiltonProduct(renormalize(q), {0, v.x(), v.y(), v.z()});
+  return {turned.x, turned.y, turned.z};
+}
+
+}  // namespace carom

@@ -1,0 +1,28 @@
+#include "turning_errors.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "carom/core/length.hpp"
+#include "carom/rotation/conjugate.hpp"
+#include "carom/rotation/hamilton_product.hpp"
+#include "carom/rotation/quaternion_logarithm.hpp"
+#include "carom/rotation/renormalize.hpp"
+
+namespace carom {
+
+std::vector<TurningError> turningErrors(const TurningStep& step, const Quaternion& start,
+                                        const Quaternion& end, Real duration,
+                                        std::span<const int> counts) {
+  std::vector<TurningError> table;
+  for (const int steps : counts) {
+    const Real dt = duration / steps;
+    Quaternion q = start;
+    for (int i = 0; i < steps; ++i) q = step(q, i * dt, dt);
+    const Quaternion left = hamiltonProduct(conjugate(renormalize(end)), renormalize(q));
+    table.push_back({steps, dt, 2 * std::acos(std::min(1.0, std::abs(left.w)))});
+  }
+  return table;
+}
+
+}  // namespace carom
