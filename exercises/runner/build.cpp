@@ -120,6 +120,8 @@ Compiled compileSubmission(const Project& project, const Exercise& exercise, con
   const auto& entry = project.entry(exercise);
   grading::Command command;
   command.words = {project.text("compiler")};
+  // Messages in English and with plain quotes, whatever language is set: they are read below.
+  command.environment = {"LC_ALL=C"};
   append(command.words, list(project.manifest.at("flags")));
   append(command.words, list(project.manifest.at("submission_flags")));
   // Templates and constant expressions that compute for ever end here, long before the limits on time and memory.

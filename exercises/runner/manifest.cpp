@@ -1,8 +1,11 @@
 #include "runner/manifest.hpp"
 
+#include <fcntl.h>
+#include <sys/file.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <iostream>
 
 #include "grading/process.hpp"
@@ -100,6 +103,18 @@ Project openProject(const fs::path& root, const fs::path& build) {
 
 void buildTargets(const Project& project, const std::vector<std::string>& targets, bool quiet) {
   if (targets.empty()) return;
+  // One builder at a time: `watch` in one window and `check` in another would build the same files at once. The lock
+  // goes with the process.
+  const int lock =
+      open((project.build / ".course-lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
+  const struct Unlock {
+    int file;
+    ~Unlock() {
+      if (file >= 0) close(file);
+    }
+  } unlock{lock};
+  while (lock >= 0 && flock(lock, LOCK_EX) != 0 && errno == EINTR) {
+  }
   grading::Command command;
   command.words = {project.text("cmake"), "--build", project.build.string(), "--target"};
   command.words.insert(command.words.end(), targets.begin(), targets.end());

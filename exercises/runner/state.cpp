@@ -6,10 +6,27 @@ namespace carom::runner {
 
 using nlohmann::json;
 
+namespace {
+
+// Has the file the shape that save() gives it? Then nothing below meets a value of another type.
+bool isSound(const json& all) {
+  if (!all.is_object()) return false;
+  for (const auto& entry : all) {
+    if (!entry.is_object()) return false;
+    for (const char* text : {"hash", "status"}) {
+      if (entry.contains(text) && !entry[text].is_string()) return false;
+    }
+    if (entry.contains("hints") && !entry["hints"].is_number_integer()) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
 State::State(const fs::path& root) : file_(root / ".carom" / "state.json") {
   const auto content = readIfThere(file_);
   all_ = json::parse(content.value_or("{}"), nullptr, false);
-  if (!all_.is_object()) {
+  if (!isSound(all_)) {
     std::error_code ignored;
     fs::path aside = file_;
     aside += ".damaged";

@@ -166,7 +166,12 @@ bool enterSandbox() {
 
 void applyLimits(const Limits& limits) {
   limit(RLIMIT_CORE, 0);
-  if (limits.cpuSeconds) limit(RLIMIT_CPU, static_cast<rlim_t>(limits.cpuSeconds));
+  if (limits.cpuSeconds) {
+    // SIGXCPU at the soft limit can be told in words; at the hard one, a second later, comes SIGKILL.
+    const auto seconds = static_cast<rlim_t>(limits.cpuSeconds);
+    const rlimit both{seconds, seconds + 1};
+    setrlimit(RLIMIT_CPU, &both);
+  }
   if (limits.memoryMegabytes) limit(RLIMIT_AS, static_cast<rlim_t>(limits.memoryMegabytes) << 20);
   if (limits.fileKilobytes) limit(RLIMIT_FSIZE, static_cast<rlim_t>(limits.fileKilobytes) << 10);
   if (limits.processes) limit(RLIMIT_NPROC, static_cast<rlim_t>(limits.processes));

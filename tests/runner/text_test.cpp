@@ -1,0 +1,74 @@
+// The small functions on text and files.
+
+#include "runner/text.hpp"
+
+#include <unistd.h>
+
+#include "failure.hpp"
+
+using namespace carom::runner;
+using carom_test::ContainsSubstring;
+using carom_test::failureOf;
+
+namespace {
+
+struct Scratch {
+  fs::path path = fs::path(CAROM_BUILD_DIR) / "work" / ("text-test-" + std::to_string(getpid()));
+  Scratch() {
+    fs::create_directories(path);
+  }
+  ~Scratch() {
+    std::error_code ignored;
+    fs::remove_all(path, ignored);
+  }
+};
+
+}  // namespace
+
+TEST_CASE("lines are split at every kind of line end") {
+  CHECK(splitLines("").empty());
+  CHECK(splitLines("\n") == std::vector<std::string>{""});
+  CHECK(splitLines("a\r\nb\n\nc") == std::vector<std::string>{"a", "b", "", "c"});
+  CHECK(splitLines("a\n") == std::vector<std::string>{"a"});
+}
+
+TEST_CASE("blanks around a text go, blanks inside stay") {
+  CHECK(trimmed(" \t a b \r\n") == "a b");
+  CHECK(trimmed(" \n").empty());
+  CHECK(trimmed("").empty());
+}
+
+TEST_CASE("a paragraph is broken at its width and begins every line with its indentation") {
+  CHECK(wrapped("one two three four", 9, "  ") == "  one two\n  three\n  four");
+  CHECK(wrapped("", 9, "  ") == "  ");
+  // A word that is too long stands alone rather than being cut.
+  CHECK(wrapped("a incomprehensibilities b", 9, "") == "a\nincomprehensibilities\nb");
+}
+
+TEST_CASE("the hash is FNV-1a with 64 bits") {
+  // Published test vectors of Fowler, Noll and Vo.
+  CHECK(hashOf("") == "cbf29ce484222325");
+  CHECK(hashOf("a") == "af63dc4c8601ec8c");
+  CHECK(hashOf("foobar") == "85944171f73967e8");
+}
+
+TEST_CASE(
+    "a file is written as a whole, with the folders that it needs, and read back with every byte") {
+  const Scratch scratch;
+  const fs::path file = scratch.path / "new folder" / "däta";
+  const std::string content("a\0b\r\n\xff", 6);
+  writeFile(file, content);
+  CHECK(readFile(file) == content);
+  writeFile(file, "second");
+  CHECK(readFile(file) == "second");
+  CHECK(std::distance(fs::directory_iterator(file.parent_path()), {}) == 1);
+}
+
+TEST_CASE("a file that is not there is nothing, or a failure that names it") {
+  const Scratch scratch;
+  CHECK(!readIfThere(scratch.path / "none"));
+  CHECK(!readIfThere(scratch.path));
+  CHECK_THAT(failureOf([&] { readFile(scratch.path / "none"); }), ContainsSubstring("/none"));
+  writeFile(scratch.path / "file", "x");
+  CHECK_THROWS(writeFile(scratch.path / "file" / "below", "x"));
+}
