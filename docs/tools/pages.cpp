@@ -166,16 +166,17 @@ std::string errataPage(const std::vector<std::vector<std::string>>& rows, const 
 std::string exerciseRow(const Exercise& exercise, bool linked) {
   const std::string id =
       linked ? "\\ref " + anchorOf(exercise) + " \"" + exercise.id + "\"" : exercise.id;
-  return "<tr><td>" + id + "</td><td>" + cellText(exercise.title) + "</td><td>" + exercise.kind +
-         "</td><td>" + exercise.level + "</td><td>" + exercise.minutes +
-         "</td><td><code>./course check " + exercise.id + "</code></td></tr>\n";
+  return "<tr><td>" + id + "</td><td class=\"wide\">" + cellText(exercise.title) + "</td><td>" +
+         exercise.kind + "</td><td>" + exercise.level + "</td><td>" + exercise.minutes +
+         "</td></tr>\n";
 }
 
 std::string exercisesPage(const fs::path& projectRoot, const std::vector<Exercise>& exercises) {
   std::ostringstream page;
   page << "# Exercises {#exercises}\n\n"
        << "Every exercise is one function in one file below `exercises/`.\n"
-       << "You edit the file and run the command; the verdict comes within seconds.\n"
+       << "You edit the file and run `./course check` with its name; the verdict comes within "
+          "seconds.\n"
        << "`./course` without a word after it shows where you stand and what comes next.\n\n"
        << "- **implement**: write the function.\n"
        << "- **fix**: it is written, and wrong. Find out where.\n"
@@ -189,7 +190,7 @@ std::string exercisesPage(const fs::path& projectRoot, const std::vector<Exercis
       const std::string label = chapterLabel(projectRoot, exercise.chapter);
       page << (chapter.empty() ? "" : kTableEnd) << "## "
            << (label.empty() ? exercise.chapter : "Chapter \\ref " + label) << "\n\n"
-           << tableHead({"Exercise", "Title", "Kind", "Level", "Minutes", "Command"});
+           << tableHead({"Exercise", "Title", "Kind", "Level", "Minutes"});
       chapter = exercise.chapter;
     }
     page << exerciseRow(exercise, !chapterLabel(projectRoot, exercise.chapter).empty());
@@ -290,8 +291,8 @@ std::string chapterExercises(const fs::path& projectRoot, const std::string& cha
   if (rows.str().empty()) {
     return "The exercises of this chapter are not written yet.\n";
   }
-  return tableHead({"Exercise", "Title", "Kind", "Level", "Minutes", "Command"}) + rows.str() +
-         kTableEnd + statements.str();
+  return tableHead({"Exercise", "Title", "Kind", "Level", "Minutes"}) + rows.str() + kTableEnd +
+         statements.str();
 }
 
 bool writePages(const fs::path& projectRoot, const fs::path& outputFolder) {
