@@ -1,7 +1,8 @@
 // How many darts for one more digit?
 //
-// A ball of 320 triangles and a tetrahedron are weighed by darts, with sixteen seeds for every number of darts. The
-// picture has two logarithmic axes, so that a power of the number of darts is a straight line.
+// A ball of 320 triangles and a tetrahedron are weighed by darts, with sixteen seeds for every
+// number of darts. The picture has two logarithmic axes, so that a power of the number of darts is
+// a straight line.
 
 #include <cmath>
 #include <filesystem>

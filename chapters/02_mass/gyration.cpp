@@ -1,7 +1,8 @@
 // How far from an axis does the mass of a body lie?
 //
-// The axis turns about z, from the x axis to the y axis and on. For each direction the radius of gyration is drawn as
-// a length along the axis: a body has one such curve, and the principal axes are where it is widest and narrowest.
+// The axis turns about z, from the x axis to the y axis and on. For each direction the radius of
+// gyration is drawn as a length along the axis: a body has one such curve, and the principal axes
+// are where it is widest and narrowest.
 
 #include <filesystem>
 #include <iostream>

@@ -1,10 +1,10 @@
 #pragma once
 // At which distance from an axis would a body's mass, all in one point, be as hard to turn?
 //
-// Method: the moment about a unit axis n through the centre of mass is n · I n, and a point of mass m at the
-// distance k has m k². Why: k is a length, so bodies of different mass can be compared at a glance.
-// Source: section 4.2.1 of the source text, corrected: it takes the inverse of the tensor.
-// Not handled: axes that miss the centre of mass (k² then grows by the squared distance).
+// Method: the moment about a unit axis n through the centre of mass is n · I n, and a point of mass
+// m at the distance k has m k². Why: k is a length, so bodies of different mass can be compared at
+// a glance. Source: section 4.2.1 of the source text, corrected: it takes the inverse of the
+// tensor. Not handled: axes that miss the centre of mass (k² then grows by the squared distance).
 
 #include "carom/core/real.hpp"
 #include "carom/mass/mass_properties.hpp"

@@ -36,7 +36,8 @@ struct Fields<PrincipalAxes> {
       fieldList("moments", &PrincipalAxes::moments, "axes", &PrincipalAxes::axes);
 };
 
-// The message is left out: how a sentence is worded is not graded, and must not set two answers apart.
+// The message is left out: how a sentence is worded is not graded, and must not set two answers
+// apart.
 template <>
 struct Fields<MeshProblem> {
   static constexpr auto list =

@@ -1,5 +1,5 @@
-// Grader of 00.bounce_back: squares of simple numbers, and a flight that is followed step by step instead of by a
-// formula for e.
+// Grader of 00.bounce_back: squares of simple numbers, and a flight that is followed step by step
+// instead of by a formula for e.
 
 #include "bounce_back.hpp"
 
@@ -16,8 +16,8 @@ namespace {
 constexpr Real kGravity = 9.81;  // [m/s²]
 constexpr const char* kRounding = "a division and a square root, each rounded once";
 
-// The height that a ball reaches after one bounce: the fall gives a speed, e takes its share, and the rise uses it
-// up.
+// The height that a ball reaches after one bounce: the fall gives a speed, e takes its share, and
+// the rise uses it up.
 Real heightAfterBounce(Real dropHeight, Real e) {
   const Real fallTime = std::sqrt(2 * dropHeight / kGravity);
   const Real after = e * kGravity * fallTime;

@@ -1,5 +1,5 @@
-// Grader of 02.gyration_radius: a ball, axes between principal ones, and bodies made of a few points whose distances
-// from the axis can be measured one by one.
+// Grader of 02.gyration_radius: a ball, axes between principal ones, and bodies made of a few
+// points whose distances from the axis can be measured one by one.
 
 #include "gyration_radius.hpp"
 

@@ -1,5 +1,5 @@
-// Grader of 02.monte_carlo_error: one dart at a time can be worked out on paper, and the table for many darts must have
-// the slope and the size that a binomial spread has.
+// Grader of 02.monte_carlo_error: one dart at a time can be worked out on paper, and the table for
+// many darts must have the slope and the size that a binomial spread has.
 
 #include "monte_carlo_error.hpp"
 

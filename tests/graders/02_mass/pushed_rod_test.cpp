@@ -1,4 +1,5 @@
-// Grader of 02.pushed_rod: the library weighs the rod as a thin box and moves the axis to the hinge.
+// Grader of 02.pushed_rod: the library weighs the rod as a thin box and moves the axis to the
+// hinge.
 
 #include "carom/mass/box_inertia.hpp"
 #include "carom/mass/parallel_axis.hpp"

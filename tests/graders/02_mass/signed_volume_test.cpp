@@ -1,5 +1,5 @@
-// Grader of 02.signed_volume: volumes that are known without a mesh, by length times width times height, and what
-// moving, turning inside out and hollowing out must do to them.
+// Grader of 02.signed_volume: volumes that are known without a mesh, by length times width times
+// height, and what moving, turning inside out and hollowing out must do to them.
 
 #include "carom/mass/signed_volume.hpp"
 

@@ -1,4 +1,5 @@
-// The divergence theorem with the field (x, 0, 0): the mean x of a triangle times its area seen along x.
+// The divergence theorem with the field (x, 0, 0): the mean x of a triangle times its area seen
+// along x.
 #include "carom/core/cross.hpp"
 #include "carom/mass/signed_volume.hpp"
 

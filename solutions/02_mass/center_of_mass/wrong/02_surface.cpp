@@ -1,0 +1,24 @@
+#include "carom/mass/center_of_mass.hpp"
+
+#include "carom/core/cross.hpp"
+#include "carom/core/errors.hpp"
+
+namespace carom {
+
+Vector3 centerOfMass(const TriangleMesh& mesh) {
+  requireUsable(mesh);  // given: no triangles, bad indices and bad numbers are refused here
+
+  const Vector3 origin = mesh.vertices.front();
+  Real twoAreas = 0;
+  Vector3 moment = Vector3::Zero();  // sum of 6 V times 4 centres
+  for (const auto& triangle : mesh.triangles) {
+    const auto [a, b, c] = cornersOf(mesh, triangle);
+    const Real twoA = cross(b - a, c - a).norm();
+    moment += twoA * ((a - origin) + (b - origin) + (c - origin));
+    twoAreas += twoA;
+  }
+  if (twoAreas == 0) throw InvalidInput("centerOfMass: the mesh encloses no volume");
+  return origin + moment / (3 * twoAreas);
+}
+
+}  // namespace carom

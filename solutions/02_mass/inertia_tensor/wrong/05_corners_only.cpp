@@ -1,0 +1,27 @@
+#include "carom/mass/inertia_tensor.hpp"
+
+#include "carom/core/checks.hpp"
+#include "carom/core/cross.hpp"
+#include "carom/mass/center_of_mass.hpp"
+
+namespace carom {
+
+Matrix3 inertiaTensor(const TriangleMesh& mesh, Real density) {
+  requirePositive(density, "density");
+  const Vector3 center = centerOfMass(mesh);  // given; refuses meshes that are not usable
+
+  Matrix3 C = Matrix3::Zero();
+  for (const auto& triangle : mesh.triangles) {
+    const auto [cornerA, cornerB, cornerC] = cornersOf(mesh, triangle);
+    const Vector3 a = cornerA - center;
+    const Vector3 b = cornerB - center;
+    const Vector3 c = cornerC - center;
+    const Real sixV = a.dot(cross(cornerB - cornerA, cornerC - cornerA));
+    C += sixV * (a * a.transpose() + b * b.transpose() + c * c.transpose());
+  }
+  C /= 120;  // 6 for the determinant, 20 for the moments of a tetrahedron
+
+  return density * (C.trace() * Matrix3::Identity() - C);
+}
+
+}  // namespace carom

@@ -1,0 +1,15 @@
+#include "carom/mass/parallel_axis.hpp"
+
+#include "carom/core/checks.hpp"
+
+namespace carom {
+
+Matrix3 parallelAxis(const Matrix3& inertiaAboutCenter, Real mass, const Vector3& offset) {
+  requireFinite(inertiaAboutCenter, "inertiaAboutCenter");
+  requireFinite(mass, "mass");
+  requireFinite(offset, "offset");
+  const Vector3& d = offset;
+  return inertiaAboutCenter + (d.dot(d) * Matrix3::Identity() - d * d.transpose());
+}
+
+}  // namespace carom
