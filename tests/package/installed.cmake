@@ -3,6 +3,7 @@ include(${CMAKE_CURRENT_LIST_DIR}/step.cmake)
 set(prefix ${SCRATCH}/prefix)
 set(outside ${SCRATCH}/outside)
 file(REMOVE_RECURSE ${prefix} ${outside})
+step(${CMAKE_COMMAND} --build ${BUILD} --target carom_io carom_cli)
 step(${CMAKE_COMMAND} --install ${BUILD} --prefix ${prefix})
 step(${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR}/outside -B ${outside} -G Ninja
   -DCMAKE_PREFIX_PATH=${prefix} -DCMAKE_CXX_COMPILER=${COMPILER} "-DCMAKE_CXX_FLAGS=${FLAGS}"
