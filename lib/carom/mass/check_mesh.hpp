@@ -8,8 +8,8 @@
 // Why first: the volume integral gives a number for every input, right or not. An open mesh gives
 // another number for every choice of origin, a flipped one a negative mass, and both would only be
 // noticed much later, as a body that accelerates against the force.
-// Source: Mäntylä 1988 on manifold surfaces; case M10 of the course. Each stage runs only if the
-// stages before it found nothing, since their problems would show up again as others.
+// Source: Mäntylä 1988 on manifold surfaces. Each stage runs only if the stages before it found
+// nothing, since their problems would show up again as others.
 // Not handled: surfaces that cut themselves (exact arithmetic is needed: the oracle test and CGAL
 // do it), and a cavity that should have been reversed.
 

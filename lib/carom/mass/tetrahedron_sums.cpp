@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 
 // Runs a function of this file a second time with AVX2 where the compiler can and the machine has
 // it. Without fused multiply-add both give the same bits.
@@ -24,6 +25,8 @@ constexpr std::size_t kLanes = 4;
 // How many fours are added plainly before the block is added with compensation: few enough that a
 // block loses less than 16 units in the last place, enough that compensation costs nothing.
 constexpr std::size_t kFoursPerBlock = 16;
+
+constexpr std::size_t kLargestIndex = std::numeric_limits<std::int32_t>::max();
 
 template <class S>
 struct Point {
@@ -84,7 +87,7 @@ struct Arrays {
   const Real* vertices = nullptr;           // three a vertex
   const std::int32_t* triangles = nullptr;  // three a triangle
   std::size_t triangleCount = 0;
-  std::int32_t lastVertex = 0;
+  std::uint32_t lastVertex = 0;
 };
 
 // One corner of four triangles, relative to the origin.
@@ -99,14 +102,16 @@ CAROM_INLINE void gather(Point<Four>& corner, const Real* vertices, const std::i
   corner.z = Four{p[2], q[2], r[2], s[2]} - origin.z;
 }
 
-// True if every index names a vertex: neither it nor its distance to the last one is negative.
+// True if every index names a vertex: neither it nor its distance to the last one is negative. In
+// unsigned numbers, which may wrap around, negative means that the highest bit is set.
 CAROM_INLINE bool inRange(const std::int32_t* first, const std::int32_t* last,
-                          std::int32_t lastVertex) {
-  std::int32_t signs = 0;
+                          std::uint32_t lastVertex) {
+  std::uint32_t signs = 0;
   for (const std::int32_t* index = first; index != last; ++index) {
-    signs |= *index | (lastVertex - *index);
+    const auto number = static_cast<std::uint32_t>(*index);
+    signs |= number | (lastVertex - number);
   }
-  return signs >= 0;
+  return (signs >> 31) == 0;
 }
 
 // The sums over all whole fours, lane by lane with their errors; false if an index names no vertex.
@@ -150,7 +155,7 @@ CAROM_AVX2 bool sumFoursAvx2(const Arrays& mesh, const Point<Four>& origin,
 Arrays arraysOf(const TriangleMesh& mesh) {
   static_assert(sizeof(Vector3) == 3 * sizeof(Real), "vertices lie without gaps");
   return {mesh.vertices.front().data(), mesh.triangles.front().data(), mesh.triangles.size(),
-          static_cast<std::int32_t>(mesh.vertices.size() - 1)};
+          static_cast<std::uint32_t>(std::min(mesh.vertices.size() - 1, kLargestIndex))};
 }
 
 }  // namespace
