@@ -1,7 +1,7 @@
 // How high does a ball come back?
 //
-// A ball is dropped from 1 m. For each height that it should come back to, restitutionForHeight() says how
-// bouncy it must be, and the fall is simulated to see whether it does.
+// A ball is dropped from 1 m. For each height that it should come back to, restitutionForHeight()
+// says how bouncy it must be, and the fall is simulated to see whether it does.
 
 #include <cmath>
 #include <filesystem>

@@ -1,7 +1,7 @@
 // Two billiard balls meet.
 //
-// A blue ball comes from the left with 0.5 m/s and hits a red one at rest, off its centre. The physics
-// is in two_balls.hpp; here is what one sees of it: a table and a moving picture.
+// A blue ball comes from the left with 0.5 m/s and hits a red one at rest, off its centre. The
+// physics is in two_balls.hpp; here is what one sees of it: a table and a moving picture.
 
 #include <filesystem>
 #include <iostream>

@@ -1,7 +1,7 @@
 // What does the coefficient of restitution do, and what goes wrong without one small question?
 //
-// The two balls of first_collision meet with five coefficients. Then they meet with five steps of time, once
-// as they should and once without asking whether they approach one another.
+// The two balls of first_collision meet with five coefficients. Then they meet with five steps of
+// time, once as they should and once without asking whether they approach one another.
 
 #include <iostream>
 

@@ -26,7 +26,8 @@ struct Ball {
 };
 //! [state]
 
-/// The two balls, as they stand at the beginning: blue comes from the left, red rests a little off its path.
+/// The two balls, as they stand at the beginning: blue comes from the left, red rests a little off
+/// its path.
 struct Pair {
   Ball blue{{-0.3, 0.0}, {0.5, 0.0}};  ///< the one that comes
   Ball red{{0.0, 0.02}, {0.0, 0.0}};   ///< the one that is hit
@@ -35,7 +36,8 @@ struct Pair {
 /// What a contact does to two velocities; nothing if the balls do not overlap.
 /// \param a one ball \param b the other
 /// \param restitution speed apart divided by speed of approach [1]
-/// \param askFirst whether a pair that is already on its way apart is left alone; false shows what happens then
+/// \param askFirst whether a pair that is already on its way apart is left alone; false shows what
+/// happens then
 /// \source{27,28}
 /// \erratum{6.3}
 //! [impulse]
@@ -55,7 +57,8 @@ inline void collide(Ball& a, Ball& b, Real restitution, bool askFirst = true) {
 //! [impulse]
 
 /// Moves the pair by one step of time.
-/// \param pair the balls \param dt the step [s] \param restitution see collide() \param askFirst see collide()
+/// \param pair the balls \param dt the step [s]
+/// \param restitution see collide() \param askFirst see collide()
 //! [step]
 inline void step(Pair& pair, Real dt, Real restitution, bool askFirst = true) {
   pair.blue.position += dt * pair.blue.velocity;

@@ -1,8 +1,8 @@
 // What is lost when the pitch comes to a right angle?
 //
 // Rates of roll, pitch and yaw make an angular velocity through a matrix whose determinant is
-// cos(pitch). The program follows that matrix towards the lock, and shows three rings that come to lie
-// in one plane.
+// cos(pitch). The program follows that matrix towards the lock, and shows three rings that come to
+// lie in one plane.
 
 #include <Eigen/SVD>
 #include <algorithm>

@@ -1,8 +1,8 @@
 // Do four ways to write one rotation do the same to a mesh?
 //
 // A bottle is turned by Euler angles, by axis and angle, by a quaternion, and by the quaternion's
-// matrix; the corners must agree. Then slerp() turns it slowly, and the source's matrix shows what a
-// wrong entry looks like.
+// matrix; the corners must agree. Then slerp() turns it slowly, and the source's matrix shows what
+// a wrong entry looks like.
 
 #include <algorithm>
 #include <filesystem>

@@ -1,8 +1,8 @@
 // What do a million steps of turning do to a rotation?
 //
-// A body turns with a constant angular velocity for 1000 s in steps of 1 ms. Five ways to make a step
-// are compared with the closed form: how far the orientation is off, and how far it has left the set
-// of rotations.
+// A body turns with a constant angular velocity for 1000 s in steps of 1 ms. Five ways to make a
+// step are compared with the closed form: how far the orientation is off, and how far it has left
+// the set of rotations.
 
 #include <algorithm>
 #include <cmath>

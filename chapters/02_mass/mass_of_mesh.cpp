@@ -2,8 +2,8 @@
 //
 //     mass_of_mesh [FOLDER] [FILE]     weighs a mesh file (OFF, OBJ, STL, PLY); without one, a mug
 //
-// Then the same solid is weighed far from the origin, in the way that most programs do it and in the
-// library's.
+// Then the same solid is weighed far from the origin, in the way that most programs do it and in
+// the library's.
 
 #include <filesystem>
 #include <iostream>
@@ -31,8 +31,8 @@ using carom::Vector3;
 
 constexpr Real kDensity = 2400;  // [kg/m^3]: stoneware
 
-// A mug, 9 cm high, with a ring as its handle. The ring stands 2 mm off the wall: parts that overlap
-// would count twice.
+// A mug, 9 cm high, with a ring as its handle. The ring stands 2 mm off the wall: parts that
+// overlap would count twice.
 TriangleMesh mug() {
   const std::vector<Vector2> profile = {{0, 0},        {0.04, 0},      {0.04, 0.09},
                                         {0.036, 0.09}, {0.036, 0.006}, {0, 0.006}};
@@ -106,7 +106,8 @@ int main(int argc, char** argv) {
         .column("one pass", carom::io::scientific(0));
     table.column("the library", carom::io::scientific(0));
     for (Real distance : {0.0, 1.0, 10.0, 100.0, 1000.0}) {
-      // Moving rounds the corners. Moved back, the rounded solid stands at the origin, to be compared with.
+      // Moving rounds the corners. Moved back, the rounded solid stands at the origin, to be
+      // compared with.
       const TriangleMesh moved = carom::translated(mesh, Vector3(distance, 0, 0));
       const TriangleMesh back = carom::translated(moved, Vector3(-distance, 0, 0));
       const Matrix3 exact = carom::massProperties(back, kDensity).inertia;

@@ -1,7 +1,7 @@
 // How is a body weighed that is made of parts?
 //
-// Pac-Man is a disc with a wedge cut out. He is not convex, so he is made of two convex halves. Each half
-// is weighed by itself, and parallel axes bring both to the centre of the whole.
+// Pac-Man is a disc with a wedge cut out. He is not convex, so he is made of two convex halves.
+// Each half is weighed by itself, and parallel axes bring both to the centre of the whole.
 
 #include <filesystem>
 #include <iostream>

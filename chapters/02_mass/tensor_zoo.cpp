@@ -1,8 +1,8 @@
 // How do solids of one mass differ in how hard they are to turn?
 //
-// Eight solids of 1 kg that fit into a box of 1 m: their moments in closed form, and how close a mesh
-// comes. Then all get the same angular momentum, and the picture shows how fast each turns. Last, two
-// slips of the source: the moment about an axis, and the skater's energy.
+// Eight solids of 1 kg that fit into a box of 1 m: their moments in closed form, and how close a
+// mesh comes. Then all get the same angular momentum, and the picture shows how fast each turns.
+// Last, two slips of the source: the moment about an axis, and the skater's energy.
 
 #include <Eigen/LU>
 #include <filesystem>

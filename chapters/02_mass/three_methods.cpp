@@ -1,7 +1,7 @@
 // Three ways to find where half a ball balances.
 //
-// Signed tetrahedra are exact for the mesh. Monte Carlo comes closer with the square root of the number of
-// points. The centre of the skin is fast, exact, and the answer to another question.
+// Signed tetrahedra are exact for the mesh. Monte Carlo comes closer with the square root of the
+// number of points. The centre of the skin is fast, exact, and the answer to another question.
 
 #include <cmath>
 #include <filesystem>

@@ -7,8 +7,8 @@
 //     \program FILE                            a whole file of code, folded away
 //     \answer FILE                             the same, for a function that an exercise asks for
 //
-// The FILE of a picture or recording stands in the output folder of the chapter's programs. A file that is not there
-// is an error of the site's build.
+// The FILE of a picture or recording stands in the output folder of the chapter's programs. A file
+// that is not there is an error of the site's build.
 
 #include <filesystem>
 

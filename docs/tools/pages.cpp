@@ -25,7 +25,8 @@ struct Exercise {
   fs::path statement;
 };
 
-// The exercises below solutions/, in the order of their chapters and, within one, of `order` or the id.
+// The exercises below solutions/, in the order of their chapters and, within one, of `order` or the
+// id.
 std::vector<Exercise> findExercises(const fs::path& projectRoot) {
   struct Found {
     int order;

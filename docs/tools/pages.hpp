@@ -6,8 +6,9 @@
 
 namespace site {
 
-// Writes chapters.md, source_equations.md, errata.md, exercises.md and layers.dot into `outputFolder`.
-// Returns false, after naming the fault, when a tag names an equation or an item that does not exist.
+// Writes chapters.md, source_equations.md, errata.md, exercises.md and layers.dot into
+// `outputFolder`. Returns false, after naming the fault, when a tag names an equation or an item
+// that does not exist.
 bool writePages(const std::filesystem::path& projectRoot,
                 const std::filesystem::path& outputFolder);
 

@@ -1,8 +1,8 @@
 // The part of the documentation that is made, not written.
 //
 //     site_pages pages  <project> <folder>         writes the generated pages into <folder>
-//     site_pages filter <project> <output> <page>  prints a chapter page with its figures and exercises filled in
-//     site_pages check  <project> <output>         filters every chapter page, for its errors alone
+//     site_pages filter <project> <output> <page>  prints a chapter page, figures filled in
+//     site_pages check  <project> <output>         filters every chapter page, for its errors
 
 #include <iostream>
 #include <sstream>

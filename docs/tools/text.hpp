@@ -1,5 +1,6 @@
 #pragma once
-// Small pieces of text work that the site's pages need: tables with tabs, settings with sections, escaping.
+// Small pieces of text work that the site's pages need: tables with tabs, settings with sections,
+// escaping.
 
 #include <filesystem>
 #include <map>
@@ -26,7 +27,8 @@ std::vector<std::vector<std::string>> readTable(const std::filesystem::path& pat
 using Settings = std::map<std::string, std::map<std::string, std::string>>;
 Settings readSettings(const std::filesystem::path& path);
 
-// Text for an HTML cell of a page that Doxygen reads: its special characters escaped, $...$ made a formula.
+// Text for an HTML cell of a page that Doxygen reads: its special characters escaped, $...$ made a
+// formula.
 std::string cellText(const std::string& text);
 
 // Escapes what HTML reserves, for text that goes into a page as it is (attributes, captions).
