@@ -18,13 +18,14 @@ constexpr std::array<int, 6> kMarks{7, 5, 9, 13, 11, 6};
 
 // A text as gnuplot's double-quoted string. All but letters, digits, spaces and UTF-8 is written as
 // an octal escape, so no quote, backslash or backquote of the text is ever seen by gnuplot's
-// parser.
+// parser. gnuplot reads on as long as digits follow, so a digit behind an escape is one as well.
 std::string quoted(const std::string& text) {
   std::string result = "\"";
+  bool escaped = false;
   for (const char c : text) {
     const unsigned byte = static_cast<unsigned char>(c);
-    const bool plain = (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') ||
-                       c == ' ' || byte >= 0x80;
+    const bool plain = (c >= '0' && c <= '9' && !escaped) || (c >= 'A' && c <= 'Z') ||
+                       (c >= 'a' && c <= 'z') || c == ' ' || byte >= 0x80;
     if (plain) {
       result += c;
     } else if (byte < 0x20 || byte == 0x7f) {
@@ -34,6 +35,7 @@ std::string quoted(const std::string& text) {
       for (const unsigned shift : {6u, 3u, 0u})
         result += static_cast<char>('0' + (byte >> shift & 7u));
     }
+    escaped = !plain && result.back() != ' ';
   }
   return result + '"';
 }

@@ -15,7 +15,8 @@
 
 #include "carom/core/real.hpp"
 
-/// \defgroup mass Mass properties: chapter 2 Volume, centre of mass and inertia of solids.
+/// \defgroup mass Mass properties: chapter 2
+/// Volume, centre of mass and inertia of solids.
 
 namespace carom {
 

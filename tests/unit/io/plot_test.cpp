@@ -84,6 +84,13 @@ TEST_CASE("nothing in a text becomes a command of gnuplot or of the system") {
   CHECK_FALSE(std::filesystem::exists(touched));
 }
 
+TEST_CASE("digits behind a sign stay digits in a drawn text") {
+  const std::vector<Real> x{1, 10};
+  const std::string svg = Plot("order -1/2 of 100").curve("slope -1/2, 1e-16", x, x).svg();
+  CHECK_THAT(svg, ContainsSubstring("order -1/2 of 100"));
+  CHECK_THAT(svg, ContainsSubstring("slope -1/2, 1e-16"));
+}
+
 TEST_CASE("a plot names the point that cannot be drawn") {
   io::Plot plot("t");
   CHECK_THROWS_WITH(plot.curve("c", {0, 1}, {0, NAN}), ContainsSubstring("curve 'c', point 1"));
