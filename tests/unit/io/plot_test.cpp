@@ -86,7 +86,7 @@ TEST_CASE("nothing in a text becomes a command of gnuplot or of the system") {
 
 TEST_CASE("digits behind a sign stay digits in a drawn text") {
   const std::vector<Real> x{1, 10};
-  const std::string svg = Plot("order -1/2 of 100").curve("slope -1/2, 1e-16", x, x).svg();
+  const std::string svg = io::Plot("order -1/2 of 100").curve("slope -1/2, 1e-16", x, x).svg();
   CHECK_THAT(svg, ContainsSubstring("order -1/2 of 100"));
   CHECK_THAT(svg, ContainsSubstring("slope -1/2, 1e-16"));
 }
