@@ -120,6 +120,6 @@ PROBES() {
     PROBE(matrixToEuler(lockedUp(angle)));
     PROBE(matrixToEuler(lockedDown(angle)));
     // Roll and yaw themselves are noise here, but pitch is not.
-    PROBE(matrixToEuler(matrixOf({angle, kQuarter - 1.5e-8, 0.3})).pitch);
+    PROBE(matrixToEuler(matrixOf({angle, kQuarter - 1e-8, 0.3})).pitch);
   }
 }
