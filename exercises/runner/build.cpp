@@ -167,14 +167,15 @@ Compiled compileSubmission(const Project& project, const Exercise& exercise, con
       }
     }
   }
-  if (!result.ok && !found) {
-    // A compiler that breaks a limit is ended by the system, and its driver says so in these words.
-    const bool limited = done.timedOut || done.exitCode < 0 ||
-                         done.output.find("terminated program") != std::string::npos ||
-                         done.output.find("virtual memory exhausted") != std::string::npos ||
-                         done.output.find("out of memory") != std::string::npos;
-    result.firstError =
-        limited ? "the compiler was stopped: the file asks too much of it" : trimmed(done.output);
+  // A compiler that breaks a limit is ended by the system, and its driver says so in these words.
+  const bool limited = done.timedOut || done.exitCode < 0 ||
+                       done.output.find("terminated program") != std::string::npos ||
+                       done.output.find("virtual memory exhausted") != std::string::npos ||
+                       done.output.find("out of memory") != std::string::npos;
+  if (!result.ok && limited) {
+    result.firstError = "the compiler was stopped: the file asks too much of it";
+  } else if (!result.ok && !found) {
+    result.firstError = trimmed(done.output);
   }
   return result;
 }

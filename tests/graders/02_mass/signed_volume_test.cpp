@@ -130,5 +130,5 @@ PROBES() {
     PROBE(signedVolume(tetrahedronMesh(a, b, c, d)));
     PROBE(signedVolume(translated(reversed(frame()), a)));
   }
-  PROBE(signedVolume(translated(cornerOfBox(1.25, 2.5, 0.75), {1.0e6, 0.9e6, 1.1e6})));
+  PROBE(signedVolume(translated(cornerOfBox(1.25, 2.5, 0.75), {1.1e6 + 0.1, 0.7e6 + 0.3, 1.3e6 + 0.7})));
 }
