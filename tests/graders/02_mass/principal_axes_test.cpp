@@ -4,6 +4,7 @@
 
 #include "carom/mass/principal_axes.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -71,13 +72,6 @@ Real worstPair(const Matrix3& inertia, const PrincipalAxes& p) {
 // An entry of the axes without its sign.
 Vector3 withoutSign(const Vector3& axis) {
   return axis.cwiseAbs();
-}
-
-Vector3 ascending(Vector3 m) {
-  if (m[0] > m[1]) std::swap(m[0], m[1]);
-  if (m[1] > m[2]) std::swap(m[1], m[2]);
-  if (m[0] > m[1]) std::swap(m[0], m[1]);
-  return m;
 }
 
 Vector3 anyMoments(Random& random) {
