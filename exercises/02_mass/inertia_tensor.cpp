@@ -15,6 +15,7 @@ Matrix3 inertiaTensor(const TriangleMesh& mesh, Real density) {
   const Vector3 center = centerOfMass(mesh);  // given; refuses meshes that are not usable
   // First C, the sum of r rᵀ over the signed tetrahedra with the centre as fourth corner; a *
   // a.transpose() is a aᵀ. Then the tensor from C.
+  static_cast<void>(center);
   return todo<Matrix3>("inertiaTensor");
 }
 

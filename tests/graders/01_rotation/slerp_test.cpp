@@ -54,7 +54,7 @@ Pair anyPair(Random& random, Real angle) {
 
 TEST_CASE("way") {
   const Real s = std::sin(1.45) * std::sqrt(0.5);
-  const Quaternion a{std::cos(0.05), std::sin(0.05), 0, 0};
+  const Quaternion a{std::cos(0.1), std::sin(0.1), 0, 0};
   const Quaternion b{std::cos(1.45), 0, s, s};
   asks(a, b, 0.3,
        {0.9027731715194977119610794, 0.08544531015274978477447402, 0.2980769193996139981688199,
