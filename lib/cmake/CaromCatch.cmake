@@ -22,6 +22,9 @@ target_link_libraries(carom_catch_main PRIVATE carom_catch)
 target_compile_features(carom_catch_main PRIVATE cxx_std_20)
 target_compile_options(carom_catch_main PRIVATE -O0)
 
+# All programs labelled unit: what is built under sanitizers.
+add_custom_target(unit_tests)
+
 # carom_test_program(<name> SOURCES <file>... [LIBRARIES <target>...] [LABELS <label>...])
 # A Catch2 program with one ctest entry per TEST_CASE.
 function(carom_test_program name)
@@ -31,6 +34,9 @@ function(carom_test_program name)
   target_compile_definitions(${name} PRIVATE
     CAROM_SOURCE_DIR="${PROJECT_SOURCE_DIR}" CAROM_CASES_DIR="${PROJECT_SOURCE_DIR}/tests/cases"
     ${arg_DEFINITIONS})
+  if("unit" IN_LIST arg_LABELS)
+    add_dependencies(unit_tests ${name})
+  endif()
   # Listing happens when ctest runs, so that a crashing program does not break the build.
   catch_discover_tests(${name} TEST_PREFIX "${name}: " DISCOVERY_MODE PRE_TEST
     PROPERTIES LABELS "${arg_LABELS}" TIMEOUT 300)
