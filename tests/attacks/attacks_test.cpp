@@ -27,7 +27,6 @@ struct Attack {
   const char* status;  ///< of the self-check
   const char* says;    ///< part of the self-check's reason, wherever it stands in the JSON
   Alone alone = gainsNothing;
-  double known = 0;  ///< points for numbers that it knows beforehand
   bool answersWhereItCan = false;
 };
 
@@ -135,9 +134,8 @@ const std::vector<Attack> kAnswering = {
     {"changes_the_question", "stopped", "crashed"},
     {"changes_the_rounding", "refused", "It calls fesetround"},
     {"counts_calls", "wrong", "wrong"},
-    // A table of the numbers in the public test is an answer to just these questions. Checks whose questions
-    // depend on the seed are not to be had this way.
-    {"knows_public_numbers", "wrong", "wrong", gainsNothing, 3},
+    // Every scored check asks something that depends on the seed, so a table of the public numbers earns nothing.
+    {"knows_public_numbers", "wrong", "wrong"},
 };
 
 const fs::path kSource = CAROM_SOURCE_DIR;
@@ -202,7 +200,7 @@ void handInAll(const std::vector<Attack>& attacks) {
         // Otherwise the file would be no attack, and the screen's word about it worth nothing.
         CHECK(graded.status == Status::passed);
       } else {
-        CHECK(graded.points() <= nothing + attack.known);
+        CHECK(graded.points() <= nothing);
         CHECK(graded.status != Status::passed);
       }
     }

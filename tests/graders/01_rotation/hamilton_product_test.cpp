@@ -3,6 +3,7 @@
 
 #include "carom/rotation/hamilton_product.hpp"
 
+#include "carom/core/cross.hpp"
 #include "grading/fields_rotation.hpp"
 #include "grading/grade.hpp"
 
@@ -18,6 +19,10 @@ const Quaternion k{0, 0, 0, 1};
 
 Quaternion minus(const Quaternion& q) {
   return {-q.w, -q.x, -q.y, -q.z};
+}
+
+Quaternion pure(const Vector3& v) {
+  return {0, v.x(), v.y(), v.z()};
 }
 
 Quaternion anyQuaternion(Random& random) {
@@ -43,6 +48,13 @@ TEST_CASE("units") {
   GRADE(hamiltonProduct(k, k), minus(one), within(0, kExact), given("q", k), given("r", k));
   GRADE(hamiltonProduct(one, k), k, within(0, kExact), given("q", one), given("r", k));
   GRADE(hamiltonProduct(i, one), i, within(0, kExact), given("q", i), given("r", one));
+  // Every direction is such a unit. These differ from student to student.
+  Random random(seed());
+  for (int n = 0; n < 5; ++n) {
+    const Quaternion u = pure(random.direction());
+    GRADE(hamiltonProduct(u, u), minus(one), within(2e-15, kRounding), given("q", u), given("r", u),
+          about("an imaginary quaternion of length 1, times itself"));
+  }
 }
 
 TEST_CASE("order") {
@@ -51,6 +63,14 @@ TEST_CASE("order") {
   GRADE(hamiltonProduct(j, i), minus(k), within(0, kExact), given("q", j), given("r", i));
   GRADE(hamiltonProduct(j, k), i, within(0, kExact), given("q", j), given("r", k));
   GRADE(hamiltonProduct(k, i), j, within(0, kExact), given("q", k), given("r", i));
+  Random random(seed() + 1);
+  for (int n = 0; n < 5; ++n) {
+    const Quaternion a = pure(random.vector(2));
+    GRADE(hamiltonProduct(a, k), (Quaternion{-a.z, a.y, -a.x, 0}), within(0, kExact), given("q", a),
+          given("r", k));
+    GRADE(hamiltonProduct(k, a), (Quaternion{-a.z, -a.y, a.x, 0}), within(0, kExact), given("q", k),
+          given("r", a));
+  }
 }
 
 TEST_CASE("signs") {
@@ -62,6 +82,15 @@ TEST_CASE("signs") {
         within(0, "small integers are exact"), given("q", Quaternion{0, 1, 2, 3}),
         given("r", Quaternion{0, 4, 5, 6}),
         about("without real parts the product is -(a . b) and a x b"));
+  Random random(seed() + 2);
+  for (int n = 0; n < 5; ++n) {
+    const Vector3 a = random.vector(2);
+    const Vector3 b = random.vector(2);
+    const Vector3 v = cross(a, b);
+    GRADE(hamiltonProduct(pure(a), pure(b)), (Quaternion{-a.dot(b), v.x(), v.y(), v.z()}),
+          within(1e-14, kRounding), given("q", pure(a)), given("r", pure(b)),
+          about("without real parts the product is -(a . b) and a x b"));
+  }
 }
 
 TEST_CASE("norm") {
