@@ -73,12 +73,12 @@ const std::vector<Attack> kReaching = {
 
 // Submissions that answer rightly, but only where they can do what they must not be able to.
 const std::vector<Attack> kAbilities = {
-    {"writes_beside_the_grader", "refused", "It calls open", gainsNothing, 0, true},
-    {"reads_the_grader", "refused", "It calls ptrace", gainsNothing, 0, true},
-    {"starts_processes", "refused", "It calls fork", gainsNothing, 0, true},
-    {"signals_the_grader", "refused", "It calls kill", gainsNothing, 0, true},
-    {"opens_a_socket", "refused", "It calls socket", gainsNothing, 0, true},
-    {"finds_secrets_in_environment", "refused", "It calls getenv", gainsNothing, 0, true},
+    {"writes_beside_the_grader", "refused", "It calls open", gainsNothing, true},
+    {"reads_the_grader", "refused", "It calls ptrace", gainsNothing, true},
+    {"starts_processes", "refused", "It calls fork", gainsNothing, true},
+    {"signals_the_grader", "refused", "It calls kill", gainsNothing, true},
+    {"opens_a_socket", "refused", "It calls socket", gainsNothing, true},
+    {"finds_secrets_in_environment", "refused", "It calls getenv", gainsNothing, true},
     {"raises_its_limits", "refused", "It calls setrlimit"},
     {"answer_on_the_pipe", "refused", "It calls write"},
     {"answers_in_advance", "refused", "It calls pause"},
