@@ -40,7 +40,7 @@ TEST_CASE("quarter") {
   asksWhere(ez, kQuarter, ex, ey);
   asksWhere(ex, kQuarter, ey, ez);
   asksWhere(ey, kQuarter, ez, ex);
-  asksWhere(ez, -kQuarter, ex, -ey);
+  asksWhere(ez, -kQuarter, ex, {0, -1, 0});
   asksWhere(ey, 2 * kQuarter, {1, 2, 3}, {-1, 2, -3});
 }
 

@@ -47,17 +47,17 @@ void asksWhere(const EulerAngles& angles, const Vector3& point, const Vector3& e
 TEST_CASE("axes") {
   // A quarter turn of each angle alone.
   asksWhere({.roll = kQuarter}, ey, ez);
-  asksWhere({.roll = kQuarter}, ez, -ey);
+  asksWhere({.roll = kQuarter}, ez, {0, -1, 0});
   asksWhere({.pitch = kQuarter}, ez, ex);
-  asksWhere({.pitch = kQuarter}, ex, -ez);
+  asksWhere({.pitch = kQuarter}, ex, {0, 0, -1});
   asksWhere({.yaw = kQuarter}, ex, ey);
-  asksWhere({.yaw = kQuarter}, ey, -ex);
+  asksWhere({.yaw = kQuarter}, ey, {-1, 0, 0});
 }
 
 TEST_CASE("order") {
   // Two quarter turns, which take an axis to an axis; the other order takes it to another one.
-  asksWhere({.roll = kQuarter, .pitch = kQuarter}, ez, -ey);
-  asksWhere({.pitch = kQuarter, .yaw = kQuarter}, ex, -ez);
+  asksWhere({.roll = kQuarter, .pitch = kQuarter}, ez, {0, -1, 0});
+  asksWhere({.pitch = kQuarter, .yaw = kQuarter}, ex, {0, 0, -1});
   asksWhere({.roll = kQuarter, .yaw = kQuarter}, ey, ez);
 }
 
