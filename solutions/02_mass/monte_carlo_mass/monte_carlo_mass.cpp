@@ -19,7 +19,7 @@ Real areaFromAbove(const Vector3& p, const Vector3& q, const Vector3& r) {
 
 // Given: whether p is inside. A ray from p straight up leaves the solid once more often than it
 // enters.
-bool isInside(const TriangleMesh& mesh, const Vector3& p) {
+[[maybe_unused]] bool isInside(const TriangleMesh& mesh, const Vector3& p) {
   int leaves = 0;
   for (const auto& triangle : mesh.triangles) {
     const auto [a, b, c] = cornersOf(mesh, triangle);
