@@ -221,8 +221,11 @@ fs::path linkProgram(const Project& project, const std::string& program,
     }
   };
   addSeams(entry->at("seams"));
-  addSeams(project.manifest.at("seam_objects"));
-  append(inputs, list(project.manifest.at("layer_objects")));
+  for (const auto& name : list(entry->at("layers"))) {
+    const auto& layer = project.manifest.at("layers").at(name);
+    addSeams(layer.at("seams"));
+    append(inputs, list(layer.at("objects")));
+  }
   inputs.push_back(project.text(replaced.empty() ? "variant_library" : "variant_mine"));
   inputs.push_back(project.text("io_library"));
   append(inputs, list(project.manifest.at("io_links")));

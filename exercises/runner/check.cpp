@@ -78,6 +78,18 @@ std::string newNonce() {
   return std::to_string(device()) + std::to_string(device());
 }
 
+void compileAndScreen(const Project& project, const Exercise& exercise, const CheckOptions& options,
+                      const fs::path& source, const fs::path& folder, Version& version) {
+  if (options.screen) screenSource(readFile(source), version.screening);
+  if (!version.screening.refused.empty()) return;
+  version.compiled = compileSubmission(project, exercise, source, folder, options.compileSeconds);
+  if (!version.compiled.ok || !options.screen) return;
+  const auto& entry = project.entry(exercise);
+  screenIncludes(project, exercise, version.compiled.included, source, version.screening);
+  screenObject(project, version.compiled.object, entry.at("library_object").get<std::string>(),
+               entry.at("stage").get<std::string>(), version.screening);
+}
+
 Runnable prepare(const Project& project, const Exercise& exercise, const CheckOptions& options,
                  const fs::path& folder, const fs::path& source, ExerciseResult& result) {
   Runnable runnable;
@@ -105,38 +117,41 @@ Runnable prepare(const Project& project, const Exercise& exercise, const CheckOp
     runnable.environment.push_back("CAROM_LAZY=" + options.lazy);
     return runnable;
   }
-  fs::path object;
+  Version unshared;
+  Version& version = !options.bench || options.libraryVersion
+                         ? unshared
+                         : options.bench->version(source, options.screen);
   if (options.libraryVersion) {
-    object = entry.at("library_object").get<std::string>();
+    version.compiled.object = entry.at("library_object").get<std::string>();
   } else {
-    if (options.screen) screenSource(readFile(source), result.screening);
-    if (result.screening.refused.empty()) {
-      result.compiled =
-          compileSubmission(project, exercise, source, folder, options.compileSeconds);
-      if (!result.compiled.ok) {
-        result.status = Status::doesNotCompile;
-        return runnable;
-      }
-      if (options.screen) {
-        screenIncludes(project, exercise, result.compiled.included, source, result.screening);
-        screenObject(project, result.compiled.object, entry.at("library_object").get<std::string>(),
-                     entry.at("stage").get<std::string>(), result.screening);
-      }
+    if (!version.tried) {
+      version.tried = true;
+      compileAndScreen(project, exercise, options, source,
+                       options.bench ? options.bench->newFolder() : folder, version);
     }
+    result.compiled = version.compiled;
+    result.screening = version.screening;
     if (!result.screening.refused.empty()) {
       result.status = Status::refused;
       result.reason = result.screening.refused.front();
       return runnable;
     }
-    object = result.compiled.object;
+    if (!result.compiled.ok) {
+      result.status = Status::doesNotCompile;
+      return runnable;
+    }
   }
+  const fs::path& object = version.compiled.object;
+  const fs::path beside = options.libraryVersion ? folder : object.parent_path();
   try {
     if (options.throughPipe || options.libraryVersion) {
+      if (version.child.empty()) version.child = linkChild(project, exercise, object, beside);
       runnable.program = trusted;
-      runnable.environment.push_back("CAROM_CHILD=" +
-                                     linkChild(project, exercise, object, folder).string());
+      runnable.environment.push_back("CAROM_CHILD=" + version.child.string());
     } else {
-      runnable.program = linkSelfCheck(project, exercise, object, folder);
+      if (version.selfCheck.empty())
+        version.selfCheck = linkSelfCheck(project, exercise, object, beside);
+      runnable.program = version.selfCheck;
     }
   } catch (const Failure& failure) {
     // Without the screen a submission may collide with the grader; that is its doing, not ours.

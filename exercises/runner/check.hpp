@@ -1,6 +1,8 @@
 #pragma once
 // Asks the grader's questions of a submission and says what came of it.
 
+#include <map>
+
 #include "runner/build.hpp"
 
 namespace carom::runner {
@@ -40,6 +42,37 @@ struct ExerciseResult {
   int exitCode() const;
 };
 
+/// What has been compiled and linked of a submission.
+struct Version {
+  bool tried = false;
+  Compiled compiled;
+  Screening screening;
+  fs::path child;      ///< linked with the program that answers the pipe; empty: not yet
+  fs::path selfCheck;  ///< linked with the tests; empty: not yet
+};
+
+/// Keeps what was compiled and linked as long as it lives, so that many checks of the same files compile each
+/// file once. For one exercise; the files must not change meanwhile.
+class Workbench {
+ public:
+  explicit Workbench(const Project& project) : folder_(project) {}
+  /// \param screened a version that the screen has not seen is another one than the same file screened
+  Version& version(const fs::path& source, bool screened) {
+    return versions_[{fs::absolute(source).lexically_normal(), screened}];
+  }
+  /// A folder for the files of one version, made when it is asked for.
+  fs::path newFolder() {
+    const fs::path folder = folder_.path() / std::to_string(next_++);
+    fs::create_directories(folder);
+    return folder;
+  }
+
+ private:
+  WorkFolder folder_;
+  std::map<std::pair<fs::path, bool>, Version> versions_;
+  int next_ = 0;
+};
+
 struct CheckOptions {
   fs::path source;              ///< the submission; empty: the student's file
   bool throughPipe = false;     ///< grading: the tests are one process, the submission another
@@ -50,6 +83,8 @@ struct CheckOptions {
   std::uint64_t seed = 0;  ///< 0: the fixed seed of self-checks
   int answerSeconds = 0;   ///< processor time for a check; 0: the usual
   int compileSeconds = 0;  ///< processor time for the compiler; 0: the usual
+  Workbench* bench =
+      nullptr;  ///< where compiled files are kept; none: they go when the check is over
 };
 
 ExerciseResult checkExercise(const Project& project, const Exercise& exercise,

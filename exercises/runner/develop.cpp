@@ -26,12 +26,13 @@ std::vector<fs::path> versions(const Exercise& exercise, const char* folder) {
   return files;
 }
 
-std::string fingerprints(const Project& project, const Exercise& exercise) {
+std::string fingerprints(const Project& project, const Exercise& exercise, Workbench& bench) {
   json all = json::object();
   for (const auto& file : versions(exercise, "wrong")) {
     json probes = json::array();
     for (const auto& numbers :
-         probeAnswers(project, exercise, {.source = file, .throughPipe = true, .lazy = {}})) {
+         probeAnswers(project, exercise,
+                      {.source = file, .throughPipe = true, .lazy = {}, .bench = &bench})) {
       json list = json::array();
       for (const double number : numbers)
         list.push_back(std::isfinite(number) ? json(number) : json("NaN"));
@@ -82,7 +83,8 @@ int wordCount(const std::string& text) {
 
 class Prover {
  public:
-  Prover(const Project& project, const Exercise& exercise) : project_(project), e_(exercise) {}
+  Prover(const Project& project, const Exercise& exercise)
+      : project_(project), e_(exercise), bench_(project) {}
 
   Proof prove() {
     proof_.row = {{"id", e_.id},
@@ -116,7 +118,8 @@ class Prover {
     proof_.problems.push_back(e_.id + ": " + text);
   }
 
-  ExerciseResult check(CheckOptions options) const {
+  ExerciseResult check(CheckOptions options) {
+    options.bench = &bench_;
     return checkExercise(project_, e_, options);
   }
 
@@ -307,12 +310,12 @@ class Prover {
       if (std::find(files.begin(), files.end(), file) == files.end())
         problem("wrong/" + w.name + e_.extension + " is missing");
     }
-    const std::string fresh = fingerprints(project_, e_);
+    const std::string fresh = fingerprints(project_, e_, bench_);
     const auto kept = readIfThere(project_.root / fingerprintFile(e_));
     const json freshAll = json::parse(fresh);
     const json keptAll = json::parse(kept.value_or(""), nullptr, false);
-    const auto answers =
-        probeAnswers(project_, e_, {.source = e_.folder / e_.fileName(), .lazy = {}});
+    const auto answers = probeAnswers(
+        project_, e_, {.source = e_.folder / e_.fileName(), .lazy = {}, .bench = &bench_});
     if (answers.empty()) problem("the grader has no probes");
     for (const auto& file : files) {
       const std::string name = file.stem().string();
@@ -364,7 +367,7 @@ class Prover {
     }
     const WorkFolder folder(project_);
     auto outputWith = [&](const fs::path& source) {
-      const auto compiled = compileSubmission(project_, e_, source, folder.path());
+      const auto& compiled = bench_.version(source, true).compiled;
       if (!compiled.ok)
         throw Failure{ourFault, source.string() + " does not compile: " + compiled.firstError};
       const fs::path program =
@@ -392,6 +395,7 @@ class Prover {
   const Project& project_;
   const Exercise& e_;
   std::string source_;
+  Workbench bench_;
   Proof proof_;
 };
 
@@ -411,7 +415,8 @@ std::vector<std::string> syncExercises(const Project& project,
       std::cerr << e->studentFile().string()
                 << " has been worked on and is left alone (--force replaces it)\n";
     }
-    const std::string fresh = fingerprints(project, *e);
+    Workbench bench(project);
+    const std::string fresh = fingerprints(project, *e, bench);
     const fs::path file = project.root / fingerprintFile(*e);
     if (readIfThere(file).value_or("") != fresh) {
       writeFile(file, fresh);

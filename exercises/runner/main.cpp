@@ -337,6 +337,8 @@ int doctor(const Project& project, const Options& o) {
   };
   tool(project.text("compiler").c_str(), "g++", true);
   tool(project.text("cmake").c_str(), "cmake", true);
+  for (const auto& [library, version] : project.manifest.at("versions").items())
+    findings.push_back({library, version.get<std::string>(), "", true});
   tool("ninja", "ninja-build", true);
   tool("git", "git", true);
   tool("gnuplot", "gnuplot-nox", true);
@@ -371,7 +373,17 @@ int doctor(const Project& project, const Options& o) {
 
 int devCheck(const Project& project, const Options& o) {
   const auto which = project.select(o.what.empty() ? "all" : o.what);
+  // All graders, or what the exercises named need.
   std::vector<std::string> targets = {"graders"};
+  if (which.size() < project.exercises.size()) {
+    targets = {"carom_io", "carom_variant_library", "carom_variant_mine"};
+    for (const auto* e : which) {
+      const auto& entry = project.entry(*e);
+      targets.push_back(entry.at("target").get<std::string>());
+      if (entry.contains("lazy"))
+        targets.push_back(fs::path(entry.at("lazy").get<std::string>()).filename().string());
+    }
+  }
   for (const auto* e : which) {
     if (!e->program.empty() && project.manifest.at("programs").contains(e->program)) {
       targets.push_back(
@@ -463,6 +475,7 @@ int main(int argc, char** argv) {
   app.add_subcommand("test", "Build everything and run all tests");
   app.add_subcommand("docs", "Build the site");
   app.add_subcommand("carom", "Run the program carom: ./course carom mass FILE");
+  app.add_subcommand("bench", "Measure time and error: ./course bench --suite mass --json FILE");
 
   try {
     app.parse(argc, argv);

@@ -16,6 +16,21 @@ else()
   target_link_libraries(carom_catch INTERFACE Catch2::Catch2)
 endif()
 
+# carom_precompiled(<name> LIBRARIES <target>... HEADERS <header>...): headers that many files include, compiled once.
+# Others take them with target_precompile_headers(<target> REUSE_FROM <name>).
+function(carom_precompiled name)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "LIBRARIES;HEADERS")
+  file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/pch/${name}.cpp CONTENT "// Only its precompiled header is wanted.\n" @ONLY)
+  add_library(${name} OBJECT ${PROJECT_BINARY_DIR}/pch/${name}.cpp)
+  target_link_libraries(${name} PRIVATE carom_own_flags ${arg_LIBRARIES})
+  target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/lib ${PROJECT_SOURCE_DIR}/tests)
+  target_precompile_headers(${name} PRIVATE ${arg_HEADERS})
+  carom_compile_fast(${name})
+endfunction()
+carom_precompiled(carom_test_pch LIBRARIES carom_catch nlohmann_json::nlohmann_json
+  HEADERS <Eigen/Core> <algorithm> <array> <cmath> <filesystem> <fstream> <functional> <limits> <map> <random> <sstream>
+    <string> <vector> <nlohmann/json.hpp> ${PROJECT_SOURCE_DIR}/tests/support/catch.hpp)
+
 # Our own main for every Catch2 program, compiled once. Optimising Catch2's own code gains nothing.
 add_library(carom_catch_main OBJECT ${PROJECT_SOURCE_DIR}/tests/support/catch_main.cpp)
 target_link_libraries(carom_catch_main PRIVATE carom_catch)
@@ -31,6 +46,8 @@ function(carom_test_program name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;LIBRARIES;LABELS;DEFINITIONS")
   add_executable(${name} ${arg_SOURCES} $<TARGET_OBJECTS:carom_catch_main>)
   target_link_libraries(${name} PRIVATE carom_own_flags carom_catch nlohmann_json::nlohmann_json ${arg_LIBRARIES})
+  carom_compile_fast(${name})
+  target_precompile_headers(${name} REUSE_FROM carom_test_pch)
   target_compile_definitions(${name} PRIVATE
     CAROM_SOURCE_DIR="${PROJECT_SOURCE_DIR}" CAROM_CASES_DIR="${PROJECT_SOURCE_DIR}/tests/cases"
     ${arg_DEFINITIONS})

@@ -29,6 +29,14 @@ function(carom_program)
   set_property(GLOBAL APPEND PROPERTY CAROM_PROGRAMS ${arg_CHAPTER}/${arg_NAME})
   set_property(GLOBAL APPEND PROPERTY CAROM_PROGRAM_TARGETS ${target})
   set_property(GLOBAL PROPERTY CAROM_PROGRAM_SEAMS_${arg_CHAPTER}/${arg_NAME} ${arg_SEAMS})
+  # All layers in the program: those it names, those of the recorder, and what they use.
+  set(closure core)
+  foreach(layer IN LISTS arg_USES ITEMS rotation mass)
+    carom_layer_closure(${layer} below)
+    list(APPEND closure ${layer} ${below})
+  endforeach()
+  list(REMOVE_DUPLICATES closure)
+  set_property(GLOBAL PROPERTY CAROM_PROGRAM_LAYERS_${arg_CHAPTER}/${arg_NAME} ${closure})
 endfunction()
 
 # Reads `key = value` from the head of an exercise.ini (not from its sections).
@@ -110,15 +118,16 @@ function(carom_exercise folder)
   endforeach()
   set(includes ${PROJECT_SOURCE_DIR}/lib ${PROJECT_SOURCE_DIR}/${home} ${PROJECT_SOURCE_DIR}/tests)
 
-  function(carom_exercise_object target source)
+  function(carom_exercise_object target source pch)
     add_library(${target} OBJECT EXCLUDE_FROM_ALL ${source})
     target_link_libraries(${target} PRIVATE carom_own_flags carom_catch)
     target_include_directories(${target} PRIVATE ${includes})
     target_compile_definitions(${target} PRIVATE ${ARGN})
-    target_compile_options(${target} PRIVATE -O1)
+    carom_compile_fast(${target})
+    target_precompile_headers(${target} REUSE_FROM ${pch})
   endfunction()
 
-  carom_exercise_object(${x}_test ${test_source})
+  carom_exercise_object(${x}_test ${test_source} carom_test_pch)
   if(kind STREQUAL "predict")
     add_executable(grader_${x} EXCLUDE_FROM_ALL $<TARGET_OBJECTS:${x}_test> $<TARGET_OBJECTS:carom_grading>
                    $<TARGET_OBJECTS:carom_catch_main>)
@@ -128,9 +137,9 @@ function(carom_exercise folder)
     add_dependencies(graders grader_${x})
     set(entry_extra "")
   else()
-    carom_exercise_object(${x}_proxy ${seam_source} CAROM_SEAM_PROXY)
-    carom_exercise_object(${x}_child ${seam_source} CAROM_SEAM_CHILD)
-    carom_exercise_object(${x}_lazy ${seam_source} CAROM_SEAM_LAZY)
+    carom_exercise_object(${x}_proxy ${seam_source} carom_seam_pch CAROM_SEAM_PROXY)
+    carom_exercise_object(${x}_child ${seam_source} carom_seam_pch CAROM_SEAM_CHILD)
+    carom_exercise_object(${x}_lazy ${seam_source} carom_seam_pch CAROM_SEAM_LAZY)
 
     # The stage: what the answer may stand on.
     set(stage_objects $<TARGET_OBJECTS:carom_variant_library>)
@@ -151,7 +160,7 @@ function(carom_exercise folder)
     target_link_libraries(lazy_${x} PRIVATE carom_own_flags stage_${x})
     add_dependencies(graders grader_${x} lazy_${x})
 
-    add_dependencies(grader_${x} carom_seam_${group}_${name} stage_${x})
+    add_dependencies(grader_${x} carom_seam_${group}_${name} stage_${x} carom_course_pch)
     set(entry_extra ",
       \"test_objects\": [\"$<JOIN:$<TARGET_OBJECTS:${x}_test>,\",\">\"],
       \"child_objects\": [\"$<JOIN:$<TARGET_OBJECTS:${x}_child>,\",\">\"],
@@ -238,31 +247,37 @@ function(carom_write_manifest)
       string(APPEND seam_entries "\"${seam}\": \"$<TARGET_OBJECTS:carom_seam_${chapter}_${seam}>\",")
     endforeach()
     string(REGEX REPLACE ",$" "" seam_entries "${seam_entries}")
+    get_property(program_layers GLOBAL PROPERTY CAROM_PROGRAM_LAYERS_${program})
+    string(REPLACE ";" "\",\"" program_layers "${program_layers}")
     string(APPEND programs "
     \"${program}\": {
       \"target\": \"${target}\",
       \"executable\": \"$<TARGET_FILE:${target}>\",
       \"objects\": [\"$<JOIN:$<TARGET_OBJECTS:${target}_objects>,\",\">\"],
-      \"seams\": {${seam_entries}}
+      \"seams\": {${seam_entries}},
+      \"layers\": [\"${program_layers}\"]
     },")
   endforeach()
   string(REGEX REPLACE ",$" "" programs "${programs}")
 
-  set(seam_objects "")
-  set(layer_objects "")
+  set(layer_entries "")
   get_property(layers GLOBAL PROPERTY CAROM_DECLARED_LAYERS)
   foreach(layer IN LISTS layers)
+    set(seam_objects "")
+    set(layer_objects "")
     get_property(seams GLOBAL PROPERTY CAROM_SEAMS_${layer})
     foreach(seam IN LISTS seams)
       string(APPEND seam_objects "\"${seam}\": \"$<TARGET_OBJECTS:carom_seam_${layer}_${seam}>\",")
     endforeach()
     get_property(sources GLOBAL PROPERTY CAROM_HAS_SOURCES_${layer})
     if(sources)
-      string(APPEND layer_objects "\"$<JOIN:$<TARGET_OBJECTS:carom_objects_${layer}>,\",\">\",")
+      set(layer_objects "\"$<JOIN:$<TARGET_OBJECTS:carom_objects_${layer}>,\",\">\"")
     endif()
+    string(REGEX REPLACE ",$" "" seam_objects "${seam_objects}")
+    string(APPEND layer_entries "
+    \"${layer}\": {\"seams\": {${seam_objects}}, \"objects\": [${layer_objects}]},")
   endforeach()
-  string(REGEX REPLACE ",$" "" seam_objects "${seam_objects}")
-  string(REGEX REPLACE ",$" "" layer_objects "${layer_objects}")
+  string(REGEX REPLACE ",$" "" layer_entries "${layer_entries}")
 
   get_property(exercises GLOBAL PROPERTY CAROM_MANIFEST_EXERCISES)
   string(REGEX REPLACE ",$" "" exercises "${exercises}")
@@ -286,7 +301,8 @@ function(carom_write_manifest)
   \"cmake\": \"${CMAKE_COMMAND}\",
   \"flags\": [\"${all_flags}\",\"$<JOIN:$<TARGET_PROPERTY:carom_flags,INTERFACE_COMPILE_OPTIONS>,\",\">\"],
   \"submission_flags\": [\"-D$<JOIN:$<TARGET_PROPERTY:carom_flags,INTERFACE_COMPILE_DEFINITIONS>,\",\"-D>\",\"${submission_flags}\"],
-  \"sanitized\": $<IF:$<BOOL:${CAROM_SANITIZED}>,true,false>,
+  \"versions\": {\"Eigen\": \"${Eigen3_VERSION}\", \"Catch2\": \"${Catch2_VERSION}\",
+    \"nlohmann-json\": \"${nlohmann_json_VERSION}\"},
   \"includes\": [\"${PROJECT_SOURCE_DIR}/lib\"],
   \"system_includes\": [\"$<JOIN:$<TARGET_PROPERTY:Eigen3::Eigen,INTERFACE_INCLUDE_DIRECTORIES>,\",\">\"],
   \"no_geometry_include\": \"${PROJECT_SOURCE_DIR}/tests/grading/no_geometry\",
@@ -295,8 +311,8 @@ function(carom_write_manifest)
   \"catch_libraries\": [${catch_library}],
   \"variant_library\": \"$<TARGET_OBJECTS:carom_variant_library>\",
   \"variant_mine\": \"$<TARGET_OBJECTS:carom_variant_mine>\",
-  \"seam_objects\": {${seam_objects}},
-  \"layer_objects\": [${layer_objects}],
+  \"layers\": {${layer_entries}
+  },
   \"io_library\": \"$<TARGET_FILE:carom_io>\",
   \"io_links\": [\"-lz\"],
   \"cli\": \"${cli}\",

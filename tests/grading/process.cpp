@@ -164,6 +164,15 @@ bool enterSandbox() {
 #endif
 }
 
+// The address sanitizer maps terabytes of shadow memory; what is started from here is built as this file is.
+#if defined(__SANITIZE_ADDRESS__)
+constexpr bool sanitized = true;
+#elif defined(__has_feature)
+constexpr bool sanitized = __has_feature(address_sanitizer);
+#else
+constexpr bool sanitized = false;
+#endif
+
 void applyLimits(const Limits& limits) {
   limit(RLIMIT_CORE, 0);
   if (limits.cpuSeconds) {
@@ -172,7 +181,8 @@ void applyLimits(const Limits& limits) {
     const rlimit both{seconds, seconds + 1};
     setrlimit(RLIMIT_CPU, &both);
   }
-  if (limits.memoryMegabytes) limit(RLIMIT_AS, static_cast<rlim_t>(limits.memoryMegabytes) << 20);
+  if (limits.memoryMegabytes && !sanitized)
+    limit(RLIMIT_AS, static_cast<rlim_t>(limits.memoryMegabytes) << 20);
   if (limits.fileKilobytes) limit(RLIMIT_FSIZE, static_cast<rlim_t>(limits.fileKilobytes) << 10);
   if (limits.processes) limit(RLIMIT_NPROC, static_cast<rlim_t>(limits.processes));
 }

@@ -13,7 +13,7 @@ namespace carom::grading {
 struct Limits {
   double wallSeconds = 10;
   int cpuSeconds = 10;
-  long memoryMegabytes = 0;   ///< address space; not for programs built with the address sanitizer
+  long memoryMegabytes = 0;   ///< address space; not kept in a build with the address sanitizer
   long fileKilobytes = 0;     ///< largest file it may write
   long outputKilobytes = 64;  ///< what it may print before it is ended
   int processes = 0;          ///< threads and processes of this user (does not bind root)
