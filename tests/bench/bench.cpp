@@ -135,14 +135,15 @@ void sign(io::Plot& plot, Real x, Real top, Real factor) {
 }
 
 io::CurveStyle styleOf(std::size_t i, bool peer) {
-  constexpr std::array<io::Color, 8> kColors{{{213, 94, 0},
+  constexpr std::array<io::Color, 9> kColors{{{213, 94, 0},
                                               {0, 158, 115},
                                               {204, 121, 167},
                                               {230, 159, 0},
                                               {86, 180, 233},
                                               {120, 94, 240},
                                               {0, 90, 160},
-                                              {20, 20, 20}}};
+                                              {20, 20, 20},
+                                              {150, 75, 0}}};
   io::CurveStyle style{.marks = true};
   style.width = peer ? 1 : 2;
   style.color = peer ? io::Color{140, 140, 140} : kColors[i % kColors.size()];
