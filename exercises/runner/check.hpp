@@ -58,7 +58,12 @@ class Workbench {
   explicit Workbench(const Project& project) : folder_(project) {}
   /// \param screened a version that the screen has not seen is another one than the same file screened
   Version& version(const fs::path& source, bool screened) {
-    return versions_[{fs::absolute(source).lexically_normal(), screened}];
+    const auto path = fs::absolute(source).lexically_normal();
+    // What the screen let pass has been compiled as it would be without it.
+    const auto passed = versions_.find({path, true});
+    if (!screened && passed != versions_.end() && passed->second.screening.refused.empty())
+      return passed->second;
+    return versions_[{path, screened}];
   }
   /// A folder for the files of one version, made when it is asked for.
   fs::path newFolder() {
