@@ -1,0 +1,77 @@
+#include "carom/manifold/loop_manifold.hpp"
+
+namespace carom::detail {
+namespace {
+
+Real doubledArea(const ClipCorner& a, const ClipCorner& b, const ClipCorner& c) {
+  return std::abs((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x));
+}
+
+}  // namespace
+
+void reduceLoop(const ClipCorner* loop, const int* index, int n, int* chosen) {
+  const auto corner = [&](int i) -> const ClipCorner& { return loop[index[i]]; };
+  int kept[4] = {0, 1, 2, 3};
+  Real largest = 0;
+  Real reach = 0;
+  for (int i = 0; i < n; ++i) {
+    for (int k = i + 2; k < n; ++k) {
+      const Real dx = corner(k).x - corner(i).x, dy = corner(k).y - corner(i).y;
+      reach = std::max(reach, dx * dx + dy * dy);
+      if (i == 0 && k == n - 1) continue;  // neighbours: nothing on the far side
+      // The farthest corners on either side of the diagonal.
+      int j = i + 1, l = k + 1 < n ? k + 1 : 0;
+      Real onJ = -1, onL = -1;
+      for (int m = 0; m < n; ++m) {
+        if (m == i || m == k) continue;
+        const Real area =
+            std::abs(dx * (corner(m).y - corner(i).y) - dy * (corner(m).x - corner(i).x));
+        const bool between = m > i && m < k;
+        if (between && area > onJ) {
+          onJ = area;
+          j = m;
+        } else if (!between && area > onL) {
+          onL = area;
+          l = m;
+        }
+      }
+      // A choice counts as larger only if rounding cannot have made it so.
+      constexpr Real kRounding = 1e-12;
+      if (onJ + onL > largest * (1 + kRounding)) {
+        largest = onJ + onL;
+        kept[0] = i;
+        kept[1] = j;
+        kept[2] = k;
+        kept[3] = l;
+      }
+    }
+  }
+  std::sort(kept, kept + 4);
+
+  // The deepest corner stays, in the place of the neighbour that costs least area.
+  int deepest = 0;
+  for (int i = 1; i < n; ++i) {
+    if (corner(i).height < corner(deepest).height) deepest = i;
+  }
+  Real deepestKept = corner(kept[0]).height;
+  for (const int i : kept) deepestKept = std::min(deepestKept, corner(i).height);
+  if (corner(deepest).height < deepestKept - kDepthTie * std::sqrt(reach)) {
+    int best[4] = {0, 0, 0, 0};
+    Real most = -1;
+    for (int replaced = 0; replaced < 4; ++replaced) {
+      int trial[4] = {kept[0], kept[1], kept[2], kept[3]};
+      trial[replaced] = deepest;
+      std::sort(trial, trial + 4);
+      const Real area = doubledArea(corner(trial[0]), corner(trial[1]), corner(trial[2])) +
+                        doubledArea(corner(trial[0]), corner(trial[2]), corner(trial[3]));
+      if (area > most) {
+        most = area;
+        std::copy(trial, trial + 4, best);
+      }
+    }
+    std::copy(best, best + 4, kept);
+  }
+  for (int k = 0; k < 4; ++k) chosen[k] = index[kept[k]];
+}
+
+}  // namespace carom::detail
