@@ -36,7 +36,7 @@ Cut cut(std::string_view source, std::string_view fileName) {
       }
       if (where == stub) {
         ++stubLines;
-        if (!text.starts_with("//") && !text.starts_with("#")) {
+        if (!text.empty() && !text.starts_with("//") && !text.starts_with("#")) {
           throw wrongLine("a stub line is a comment, or code behind " + marker + "|");
         }
       }

@@ -44,8 +44,14 @@ std::string failureText(const CheckResult& check, const ExerciseResult& result,
   }
   const std::string unit = value("unit").empty() || value("unit") == "1" ? "" : " " + value("unit");
   if (check.status == Status::wrong) {
-    text += labelled("You gave", value("call") + " = " + value("got") + unit);
-    text += labelled("Expected", value("expected") + unit +
+    // A unit belongs behind a number, not behind a sentence.
+    auto withUnit = [&](const std::string& answer) {
+      const bool number =
+          !answer.empty() && std::string("0123456789-+{[(").find(answer[0]) != std::string::npos;
+      return answer + (number ? unit : "");
+    };
+    text += labelled("You gave", value("call") + " = " + withUnit(value("got")));
+    text += labelled("Expected", withUnit(value("expected")) +
                                      (value("within").empty() ? ""
                                                               : "   (within " + value("within") +
                                                                     (unit.empty() ? "" : unit) +

@@ -105,8 +105,35 @@ void passed() {
   SUCCEED();
 }
 
-void failed(const Question& question, const std::string& got, const std::string& expected,
-            const std::string& tolerance, const std::string& why) {
+namespace {
+
+// The number that predicted() read last, for the message when it is wrong.
+struct Prediction {
+  std::string name;
+  double value = 0;
+};
+Prediction lastPrediction;
+
+bool isPrediction(const Question& question) {
+  return question.call.starts_with("predicted(");
+}
+
+// Which way to look, but not the number itself: who has read it has nothing left to predict.
+std::string wayTo(double expected) {
+  const double got = lastPrediction.value;
+  if (expected == 0) return "another number";
+  if (got * expected < 0) return "a number of the other sign";
+  const bool large = std::abs(got) > std::abs(expected);
+  const double ratio = large ? got / expected : expected / got;
+  return std::string("a ") + (large ? "smaller" : "larger") + " number: yours is " +
+         (ratio > 10  ? "more than ten times "
+          : ratio > 2 ? "more than twice "
+                      : "") +
+         (large ? "too large" : "too small");
+}
+
+void tell(const Question& question, const std::string& got, const std::string& expected,
+          const std::string& tolerance, const std::string& why) {
   ++report().wrong;
   json event = describe(question);
   event.update({{"event", "wrong"},
@@ -122,6 +149,19 @@ void failed(const Question& question, const std::string& got, const std::string&
   if (!tolerance.empty()) text += "   within " + tolerance + ": " + why;
   text += "\n" + question.file + ":" + std::to_string(question.line);
   FAIL_CHECK(text);
+}
+
+}  // namespace
+
+void failed(const Question& question, const std::string& got, const std::string& expected,
+            const std::string& tolerance, const std::string& why) {
+  if (isPrediction(question)) {
+    Question named = question;
+    named.call = lastPrediction.name;
+    tell(named, got, wayTo(std::strtod(expected.c_str(), nullptr)), "", "");
+  } else {
+    tell(question, got, expected, tolerance, why);
+  }
 }
 
 void failedWith(const Question& question, const std::string& expected) {
@@ -142,9 +182,15 @@ void failedWith(const Question& question, const std::string& expected) {
     report().line(event);
     FAIL("stopped: " << e.what());
   } catch (const std::exception& e) {
-    failed(question, std::string("an exception: ") + e.what(), expected, "", "");
+    Question thrown = question;
+    if (isPrediction(question)) {
+      thrown.call = lastPrediction.name;
+      tell(thrown, e.what(), "a number", "", "");
+    } else {
+      tell(thrown, std::string("an exception: ") + e.what(), expected, "", "");
+    }
   } catch (...) {
-    failed(question, "an exception that is not a std::exception", expected, "", "");
+    tell(question, "an exception that is not a std::exception", expected, "", "");
   }
 }
 
@@ -187,6 +233,7 @@ std::uint64_t seed() {
 }
 
 Real predicted(const char* name, const char* unit) {
+  lastPrediction = {name, 0};
   const char* path = std::getenv("CAROM_ANSWERS");
   if (!path) throw std::runtime_error("CAROM_ANSWERS does not name the answer file");
   std::ifstream file(path);
@@ -208,14 +255,17 @@ Real predicted(const char* name, const char* unit) {
     double result = 0;
     const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), result);
     if (error != std::errc() || !std::isfinite(result)) {
-      throw InvalidInput("line " + std::to_string(number) + ": '" + value +
-                         "' does not begin with a number");
+      throw InvalidInput("line " + std::to_string(number) + ": '" + value + "' is not a number");
     }
     const std::string given = trim(value.substr(static_cast<std::size_t>(end - value.data())));
     if (given != unit) {
-      throw InvalidInput("line " + std::to_string(number) + ": the unit is '" + given +
-                         "', asked for is '" + unit + "'");
+      throw InvalidInput("line " + std::to_string(number) + ": " +
+                         (!*unit ? "'" + given + "' follows the number, but this one has no unit"
+                          : given.empty()
+                              ? std::string("the number needs its unit, ") + unit
+                              : "the unit is '" + given + "', but " + unit + " is asked for"));
     }
+    lastPrediction.value = result;
     return result;
   }
   throw InvalidInput(std::string("there is no line '") + name + " = ...'");

@@ -305,6 +305,58 @@ TEST_CASE("a report for other programs is well-formed, whatever stands in a titl
   CHECK_FALSE(wellFormed("<a>"));
 }
 
+TEST_CASE("a prediction is checked, named and never given away") {
+  const std::string id = "01.naive_drift";
+  const fs::path solution = fs::path(CAROM_SOURCE_DIR) / "solutions/01_rotation/naive_drift";
+  const Course course;
+  fs::copy(solution, course.root() / "solutions/01_rotation/naive_drift",
+           fs::copy_options::recursive);
+  const char* const prints = "tests/graders/01_rotation/naive_drift.fingerprints.json";
+  fs::copy(fs::path(CAROM_SOURCE_DIR) / prints, course.root() / prints);
+  const fs::path file = course.root() / "exercises/01_rotation/naive_drift.txt";
+  const std::string whole = runner::readFile(solution / "naive_drift.txt");
+  const std::string answer = runner::cutAnswer(whole, "naive_drift.txt");
+
+  runner::writeFile(file, runner::cutSkeleton(whole, "naive_drift.txt"));
+  CHECK(course.inJson({"check", id}, 1)["status"] == "not started");
+  runner::writeFile(file, answer);
+  CHECK(course.inJson({"check", id}, 0)["points"] == 3);
+  CHECK(course({"solution", id}).exitCode == 0);
+
+  runner::writeFile(file, runner::readFile(solution / "wrong/01_full_angle.txt"));
+  const auto wrong = course({"check", id});
+  CHECK(wrong.exitCode == 1);
+  CHECK_THAT(wrong.output, ContainsSubstring("one_step = 1.64") &&
+                               ContainsSubstring("a smaller number: yours is too large") &&
+                               ContainsSubstring("[matched 4 of 4 probes]") &&
+                               !ContainsSubstring("1.19"));
+
+  struct Slip {
+    const char* from;
+    const char* to;
+    const char* says;
+  };
+  for (const Slip& slip :
+       {Slip{"1.193", "one", "line 5: 'one' is not a number"},
+        Slip{"1.193", "nan", "line 5: 'nan' is not a number"},
+        Slip{"1.193", "1.193 m", "'m' follows the number, but this one has no unit"},
+        Slip{"4.71e-5 s", "4.71e-5", "the number needs its unit, s"},
+        Slip{"4.71e-5 s", "0.0471 ms", "the unit is 'ms', but s is asked for"},
+        Slip{"one_step", "onestep", "there is no line 'one_step = ...'"}}) {
+    INFO(slip.to);
+    std::string text = answer;
+    const auto at = text.find(slip.from, text.find("\n\n"));
+    REQUIRE(at != std::string::npos);
+    text.replace(at, std::string(slip.from).size(), slip.to);
+    runner::writeFile(file, text);
+    const auto done = course({"check", id});
+    CHECK(done.exitCode == 1);
+    CHECK_THAT(done.output, ContainsSubstring(slip.says));
+  }
+  runner::writeFile(file, std::string(1 << 20, '\0') + "one_step = ");
+  CHECK(course({"check", id}).exitCode == 1);
+}
+
 TEST_CASE("hints come one after the other and the last one stays") {
   const Course course;
   for (const char* beginning : {"Hint 1 of 3", "Hint 2 of 3", "Hint 3 of 3", "Hint 3 of 3"}) {

@@ -68,6 +68,11 @@ TEST_CASE("a prediction is cut by its own markers") {
   CHECK(cutAnswer(source, "far.txt") == "# How far?\ndistance = 3.5 m\n");
 }
 
+TEST_CASE("an empty line in a stub stays empty") {
+  CHECK(cutSkeleton("//# solution\na;\n//# stub\n// b\n\n//#| c;\n//# end\n", "x.cpp") ==
+        "// b\n\nc;\n");
+}
+
 TEST_CASE("lines that end as on Windows are cut like others") {
   CHECK(cutSkeleton("//# solution\r\na;\r\n//# stub\r\n//#| b;\r\n//# end\r\n", "x.cpp") == "b;\n");
 }
