@@ -54,7 +54,18 @@ void addFace(ConvexHull& hull, const std::vector<Index>& loop) {
   if (direction.isZero(0)) {
     reject("face " + std::to_string(face), "area 0", "must have corners that are not in a line");
   }
-  hull.faces.push_back({direction / direction.norm(), 0, first, count});
+  // The rounding of the cross products of a needle tilts the normal along the needle, where a small
+  // angle is a large height. Its longest edge lies in the plane, so that part can be taken out.
+  Vector3 longest = Vector3::Zero();
+  for (Index i = 0; i < count; ++i) {
+    const Vector3 edge =
+        hull.vertices[at(loop[at((i + 1) % count)])] - hull.vertices[at(loop[at(i)])];
+    if (edge.squaredNorm() > longest.squaredNorm()) longest = edge;
+  }
+  const Vector3 along = longest / length(longest);
+  const Vector3 unit = direction / direction.norm();
+  const Vector3 square = unit - unit.dot(along) * along;
+  hull.faces.push_back({square / square.norm(), 0, first, count});
 }
 
 void pairHalfEdges(ConvexHull& hull) {
@@ -143,7 +154,7 @@ void setOffsetsAndCheck(ConvexHull& hull, Real slack) {
 }  // namespace
 
 ConvexHull hullFromFaces(std::span<const Vector3> vertices,
-                         std::span<const std::vector<std::int32_t>> faces) {
+                         std::span<const std::vector<std::int32_t>> faces, Real flatness) {
   ConvexHull hull;
   Real largest = 0;
   for (const Vector3& v : vertices) {
@@ -168,7 +179,7 @@ ConvexHull hullFromFaces(std::span<const Vector3> vertices,
     }
   }
   pairHalfEdges(hull);
-  setOffsetsAndCheck(hull, kFlatness * largest);
+  setOffsetsAndCheck(hull, flatness * largest);
   weigh(hull);
   return hull;
 }

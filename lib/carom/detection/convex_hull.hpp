@@ -61,16 +61,24 @@ struct ConvexHull {
   Real boundingRadius = 0;                ///< no point is farther from the centroid [m]
 };
 
+/// How far a corner may stand off the plane of its face, relative to the largest coordinate of the
+/// hull: 64 ulp. Rotating a cube rounds each coordinate of its corners by half an ulp, and a plane
+/// through three of them misses the fourth by a few; what is flatter than this counts as flat.
+/// \ingroup detection
+inline constexpr Real kFlatness = 64 * 2.220446049250313e-16;
+
 /// A hull from faces that are known, for example those of a mesh file.
 /// \param vertices corners [m, body]; each is used by a face
 /// \param faces loops of indices into vertices, counter-clockwise seen from outside, each flat
+/// \param flatness how far a corner may stand off a face, relative to the largest coordinate [1]
 /// \return the hull, with the vertices and faces in the order given
 /// \throws InvalidInput if a coordinate is not finite, an index names no vertex, the faces do not
 ///   close, a face is not flat or has no area, or a vertex lies outside a face (the message says
-///   which: the solid is not convex); limit: kFlatness times the largest coordinate
+///   which: the solid is not convex)
 /// \ingroup detection
 ConvexHull hullFromFaces(std::span<const Vector3> vertices,
-                         std::span<const std::vector<std::int32_t>> faces);
+                         std::span<const std::vector<std::int32_t>> faces,
+                         Real flatness = kFlatness);
 
 /// A box as a hull, so that one function serves boxes and hulls.
 /// \param halfExtents half lengths along x, y, z, all positive [m, body]
@@ -79,11 +87,5 @@ ConvexHull hullFromFaces(std::span<const Vector3> vertices,
 /// \throws InvalidInput if a half extent is not positive and finite
 /// \ingroup detection
 ConvexHull boxHull(const Vector3& halfExtents);
-
-/// How far a corner may stand off the plane of its face, relative to the largest coordinate of the
-/// hull: 64 ulp. Rotating a cube rounds each coordinate of its corners by half an ulp, and a plane
-/// through three of them misses the fourth by a few; what is flatter than this counts as flat.
-/// \ingroup detection
-inline constexpr Real kFlatness = 64 * 2.220446049250313e-16;
 
 }  // namespace carom

@@ -59,7 +59,7 @@ inline void checkHull(const carom::ConvexHull& hull) {
   for (const Vector3& v : hull.vertices) farthest = std::max(farthest, (v - hull.centroid).norm());
   CHECK(worstNormal <= 1e-15);
   CHECK(worstOutside <= 4e-16 * largest);
-  CHECK(worstFlatness <= 2 * carom::kFlatness * largest);
+  CHECK(worstFlatness <= 4 * carom::kFlatness * largest);
   CHECK(leastTurn > 0);
   CHECK(farthest <= hull.boundingRadius * (1 + 1e-15));
   CHECK(hull.volume > 0);
