@@ -51,11 +51,12 @@ std::string failureText(const CheckResult& check, const ExerciseResult& result,
       return answer + (number ? unit : "");
     };
     text += labelled("You gave", value("call") + " = " + withUnit(value("got")));
-    text += labelled("Expected", withUnit(value("expected")) +
-                                     (value("within").empty() ? ""
-                                                              : "   (within " + value("within") +
-                                                                    (unit.empty() ? "" : unit) +
-                                                                    ": " + value("why") + ")"));
+    std::string expected = withUnit(value("expected"));
+    if (!value("within").empty()) {
+      const bool share = value("within").find(" of its size") != std::string::npos;
+      expected += "   (within " + value("within") + (share ? "" : unit) + ": " + value("why") + ")";
+    }
+    text += labelled("Expected", expected);
   } else if (check.status == Status::stopped && !value("call").empty()) {
     text += labelled("Asked", value("call"));
   }
@@ -150,8 +151,10 @@ std::string describe(const ExerciseResult& result, const Project& project, const
           check.status == Status::wrong ? "" : std::string("  [") + nameOf(check.status) + "]";
       text += view.bad("  ✗ ") + check.title + how + "\n" + failureText(check, result, project);
       if (check.othersWrong) {
-        text += labelled("", std::to_string(check.othersWrong) +
-                                 " more questions of this check are answered wrong.");
+        text += labelled(
+            "", std::to_string(check.othersWrong) +
+                    (check.othersWrong == 1 ? " more question of this check is answered wrong."
+                                            : " more questions of this check are answered wrong."));
       }
     } else {
       ++more;
