@@ -29,6 +29,8 @@ int run(int argc, char** argv) {
   mass->add_option("--method", method, "tetrahedra (default), montecarlo or surface")
       ->check(CLI::IsMember({"tetrahedra", "montecarlo", "surface"}));
   mass->add_flag("--json", request.json, "print one JSON object");
+  mass->add_flag("--self-intersections,!--no-self-intersections", request.selfIntersections,
+                 "look for triangles that cut or touch each other (default: yes; about 2 us each)");
 
   try {
     app.parse(argc, argv);

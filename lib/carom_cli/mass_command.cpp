@@ -12,6 +12,8 @@
 #include "carom/mass/monte_carlo_mass.hpp"
 #include "carom/mass/parallel_axis.hpp"
 #include "carom/mass/principal_axes.hpp"
+#include "carom/mass/quick_mesh_check.hpp"
+#include "carom/mass/self_intersections.hpp"
 #include "carom/mass/shell_centroid.hpp"
 #include "carom_io/mesh_file.hpp"
 #include "carom_io/number_text.hpp"
@@ -150,7 +152,10 @@ int runMass(const MassRequest& request) {
   std::optional<Weighed> weighed;
   try {
     mesh = io::readMesh(request.file);
-    for (const MeshProblem& problem : checkMesh(mesh)) {
+    std::vector<MeshProblem> found;
+    if (!isClearlyGood(mesh)) found = checkMesh(mesh);
+    if (found.empty() && request.selfIntersections) found = checkSelfIntersections(mesh);
+    for (const MeshProblem& problem : found) {
       problems.push_back(request.file + ": " + problem.message);
     }
     if (problems.empty()) weighed = weigh(mesh, request);

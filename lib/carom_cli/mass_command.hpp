@@ -22,6 +22,7 @@ struct MassRequest {
   double density = 1;                          ///< [kg/m^3]; 1 unless given: mass is volume
   MassMethod method = MassMethod::Tetrahedra;  ///< how to weigh
   bool json = false;                           ///< one JSON object instead of text
+  bool selfIntersections = true;               ///< refuse a surface that cuts or touches itself
 };
 
 /// Weighs a mesh file and prints the result to standard output, problems to standard error.

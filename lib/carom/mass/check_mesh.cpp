@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "carom/core/cross.hpp"
+#include "carom/mass/check_pieces.hpp"
 #include "carom/mass/signed_volume.hpp"
 
 namespace carom {
@@ -154,30 +155,8 @@ std::vector<MeshProblem> checkOrientation(const TriangleMesh& mesh) {
 
 }  // namespace
 
-const char* nameOf(MeshProblemKind kind) {
-  switch (kind) {
-    case MeshProblemKind::empty:
-      return "empty";
-    case MeshProblemKind::notANumber:
-      return "not a number";
-    case MeshProblemKind::indexOutOfRange:
-      return "index out of range";
-    case MeshProblemKind::degenerateTriangle:
-      return "degenerate triangle";
-    case MeshProblemKind::openEdge:
-      return "open edge";
-    case MeshProblemKind::nonManifoldEdge:
-      return "non-manifold edge";
-    case MeshProblemKind::partlyFlipped:
-      return "partly flipped";
-    case MeshProblemKind::flipped:
-      return "flipped";
-  }
-  return "unknown problem";
-}
-
 std::vector<MeshProblem> checkMesh(const TriangleMesh& mesh) {
-  for (const auto check : {checkNumbers, checkAreas, checkEdges, checkOrientation}) {
+  for (const auto check : {checkNumbers, checkAreas, checkEdges, checkOrientation, checkPieces}) {
     std::vector<MeshProblem> problems = check(mesh);
     if (!problems.empty()) return problems;
   }

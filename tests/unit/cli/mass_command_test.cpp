@@ -33,6 +33,23 @@ const std::string kBox =
     "OFF\n8 6 0\n10 20 30\n11 20 30\n11 22 30\n10 22 30\n10 20 33\n11 20 33\n11 22 33\n10 22 33\n"
     "4 0 3 2 1\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n";
 
+// Two boxes in one file; the second from `low` to `high` along every axis, its faces turned if asked.
+std::string twoBoxes(const std::string& low, const std::string& high, bool reversed) {
+  const auto corners = [](const std::string& a, const std::string& b) {
+    const auto line = [](const std::string& x, const std::string& y, const std::string& z) {
+      return x + " " + y + " " + z + "\n";
+    };
+    return line(a, a, a) + line(b, a, a) + line(b, b, a) + line(a, b, a) + line(a, a, b) +
+           line(b, a, b) + line(b, b, b) + line(a, b, b);
+  };
+  const std::string outwards = "4 0 3 2 1\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n";
+  const std::string second =
+      reversed
+          ? "4 9 10 11 8\n4 15 14 13 12\n4 12 13 9 8\n4 13 14 10 9\n4 14 15 11 10\n4 15 12 8 11\n"
+          : "4 8 11 10 9\n4 12 13 14 15\n4 8 9 13 12\n4 9 10 14 13\n4 10 11 15 14\n4 11 8 12 15\n";
+  return "OFF\n16 12 0\n" + corners("0", "4") + corners(low, high) + outwards + second;
+}
+
 }  // namespace
 
 TEST_CASE("carom mass weighs a box as the closed form does") {
@@ -121,6 +138,35 @@ TEST_CASE("a mesh with a hole is refused with its edge, and JSON stays JSON") {
   CHECK(result["problems"].size() == 3);
   CHECK(result["volume"].is_null());
   CHECK(result["triangles"] == 3);
+}
+
+TEST_CASE("a surface that cuts itself is refused with two triangles, unless that is not asked") {
+  const Scratch scratch;
+  const std::string file = scratch.write("cut.off", twoBoxes("3", "6", false)).string();
+  const Outcome outcome = run(scratch, "mass " + file + " --json");
+  CHECK(outcome.exitCode == 1);
+  const nlohmann::json result = nlohmann::json::parse(outcome.out);
+  CHECK(result["volume"].is_null());
+  REQUIRE_FALSE(result["problems"].empty());
+  CHECK_THAT(result["problems"][0].get<std::string>(), ContainsSubstring("triangles "));
+  CHECK_THAT(outcome.err, ContainsSubstring("cut or touch each other"));
+
+  const Outcome trusted = run(scratch, "mass " + file + " --json --no-self-intersections");
+  CHECK(trusted.exitCode == 0);
+  CHECK(nlohmann::json::parse(trusted.out)["volume"] == 64.0 + 27.0);  // the common cube twice
+}
+
+TEST_CASE("a cavity is taken away if it looks inwards, and refused if it does not") {
+  const Scratch scratch;
+  const std::string good = scratch.write("hollow.off", twoBoxes("1", "3", true)).string();
+  const Outcome hollow = run(scratch, "mass " + good + " --json");
+  REQUIRE(hollow.exitCode == 0);
+  CHECK(nlohmann::json::parse(hollow.out)["volume"] == 64.0 - 8.0);
+  const std::string bad = scratch.write("double.off", twoBoxes("1", "3", false)).string();
+  const Outcome wrong = run(scratch, "mass " + bad);
+  CHECK(wrong.exitCode == 1);
+  CHECK_THAT(wrong.err, ContainsSubstring("triangle 12"));
+  CHECK_THAT(wrong.err, ContainsSubstring("cavity"));
 }
 
 TEST_CASE("a file that cannot be read has exit code 1 and is named") {

@@ -229,7 +229,7 @@ TEST_CASE("a hopeless mesh is reported with a bounded list") {
 
 TEST_CASE("every kind of problem has its own name") {
   std::vector<std::string> names;
-  for (int k = 0; k <= static_cast<int>(MeshProblemKind::flipped); ++k) {
+  for (int k = 0; k <= static_cast<int>(MeshProblemKind::selfIntersection); ++k) {
     names.emplace_back(nameOf(static_cast<MeshProblemKind>(k)));
   }
   for (std::size_t i = 0; i < names.size(); ++i) {
