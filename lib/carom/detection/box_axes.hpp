@@ -8,7 +8,7 @@
 // Nearly parallel edges: their cross product is a difference of nearly equal numbers and shows the
 // rounding of R, magnified by 1/sine. Where that could change the answer the product is taken anew
 // from the columns of both matrices with error-free products (Dekker 1971); then its direction is
-// right to rounding, and so is the gap. Below a sine of 1e-12 a face normal is as good as a tie.
+// right to rounding, and so is the gap.
 // Why a header of its own: the test for separation and the maker of manifolds share it.
 // Not handled: the exact sign within rounding of touching; separateBoxes() adds that.
 
@@ -85,7 +85,9 @@ inline Vector3 gapsOnB(const BoxPair& pair) {
 /// Sines below this are recomputed from the columns if they matter. \ingroup detection
 inline constexpr Real kSmallSine = 0.125;
 /// Edges at a smaller sine are parallel. \ingroup detection
-inline constexpr Real kParallelSine = 1e-12;
+inline constexpr Real kParallelSine = 1e-15;
+/// A gap that never is the largest [m]. \ingroup detection
+inline constexpr Real kNoGap = 1e300;
 /// No gap on a cross product is off by more than this times the size over the sine: 16 roundings of
 /// numbers below the size, doubled. \ingroup detection
 inline constexpr Real kEdgeRounding = 32 * 1.1102230246251565e-16;
@@ -128,7 +130,7 @@ inline Real gapOn(const BoxPair& pair, const Vector3& axis) {
 /// The nine gaps on cross products, first quickly; those whose rounding could matter then exactly.
 /// \param pair the boxes \param size sizeOf(pair)
 /// \param toBeat gaps at or below this need not be exact [m]
-/// \return gap of edges i and j at 3 i + j; -1e300 for parallel edges [m] \ingroup detection
+/// \return gap of edges i and j at 3 i + j; -kNoGap where it cannot win [m] \ingroup detection
 inline std::array<Real, 9> gapsOnEdges(const BoxPair& pair, Real size, Real toBeat) {
   std::array<Real, 9> gaps;
   std::array<Real, 9> squares;
@@ -155,9 +157,11 @@ inline std::array<Real, 9> gapsOnEdges(const BoxPair& pair, Real size, Real toBe
     for (int k = 0; k < 9; ++k) {
       if (squares[k] >= kSmallSine * kSmallSine) continue;
       const Real sine = std::sqrt(squares[k]);
-      if (sine <= kParallelSine || gaps[k] + kEdgeRounding * size / sine <= toBeat) {
-        gaps[k] = std::min(gaps[k], toBeat);
-        if (sine <= kParallelSine) gaps[k] = -1e300;
+      // No better than a face by more than a turn by the angle between the edges would make it;
+      // if that is less than a tie, the face is taken anyway, unless the verdict hangs on it.
+      const bool face = 2 * sine * size <= kAxisTie * size && std::abs(toBeat) > kAxisTie * size;
+      if (face || sine <= kParallelSine || gaps[k] + kEdgeRounding * size / sine <= toBeat) {
+        gaps[k] = -kNoGap;
         continue;
       }
       gaps[k] = gapOn(pair, edgeAxis(*pair.A, k / 3, *pair.B, k % 3));

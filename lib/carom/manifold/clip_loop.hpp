@@ -6,7 +6,7 @@
 // between two labels is named by them, and keeps its name when it moves.
 // Why in the plane: a side plane of a rectangle is a comparison with one coordinate, and areas are
 // products of two numbers. Why fixed memory: a step must not allocate.
-// Not handled: more than kMaxCorners corners.
+// Not handled: loops that outgrow the memory of the caller; a cut adds at most one corner.
 
 #include <array>
 #include <cstdint>

@@ -8,6 +8,7 @@
 #include "carom/manifold/clip_loop.hpp"
 #include "carom/manifold/contact_ids.hpp"
 #include "carom/manifold/loop_manifold.hpp"
+#include "carom/manifold/swap_manifold.hpp"
 
 namespace carom {
 namespace {
@@ -187,13 +188,6 @@ void collideOrdered(const BoxPair& pair, const BoxAxis& best, Real margin, Manif
   fillFromEdges(pair, (best.axis - 6) / 3, (best.axis - 6) % 3, manifold.normal, manifold);
 }
 
-void swapBodies(Manifold& manifold) {
-  manifold.normal = -manifold.normal;
-  for (int k = 0; k < manifold.count; ++k) {
-    manifold.points[k].id = swappedId(manifold.points[k].id);
-  }
-}
-
 }  // namespace
 
 Manifold collideBoxes(const Box& a, const Pose& A, const Box& b, const Pose& B,
@@ -212,7 +206,7 @@ Manifold collideBoxes(const Box& a, const Pose& A, const Box& b, const Pose& B,
     cache->axis = !apart ? -1 : swap ? detail::swappedAxis(best.axis) : best.axis;
   if (apart) return manifold;
   collideOrdered(pair, best, margin, manifold);
-  if (swap) swapBodies(manifold);
+  if (swap) detail::swapBodies(manifold);
   return manifold;
 }
 

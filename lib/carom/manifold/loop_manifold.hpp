@@ -7,7 +7,7 @@
 // Why the separation is measured along the normal of the manifold and not of the reference face:
 // when two edges cross at a small angle the least displacement is a hair off both faces; the points
 // are still those of the faces, the direction is the exact one.
-// Not handled: loops of more than 64 corners.
+// Not handled: loops of more than kMostCorners corners.
 
 #include <algorithm>
 
@@ -17,6 +17,9 @@
 #include "carom/manifold/reduce_contacts.hpp"
 
 namespace carom::detail {
+
+/// Corners that a loop may have: two faces of 128 corners each. \ingroup manifold
+inline constexpr int kMostCorners = 256;
 
 /// The plane of a reference face. \ingroup manifold
 struct ReferencePlane {
@@ -96,8 +99,7 @@ inline void fillFromLoop(const ReferencePlane& plane, const ClipCorner* loop, in
                          const Vector3& normal, const Name& name, Manifold& manifold) {
   manifold.count = 0;
   manifold.area = 0;
-  constexpr int kMost = 64;
-  int below[kMost];
+  int below[kMostCorners];
   int n = 0;
   for (int i = 0; i < count; ++i) {
     below[n] = i;
@@ -117,7 +119,7 @@ inline void fillFromLoop(const ReferencePlane& plane, const ClipCorner* loop, in
   if (n == count) {
     area = areaOf(loop, count);
   } else {
-    ClipCorner part[kMost];
+    ClipCorner part[kMostCorners];
     const int left = clipLoop(
         loop, count, -1, [limit](const ClipCorner& c) { return c.height - limit; }, part);
     area = areaOf(part, left);

@@ -1,0 +1,578 @@
+#include "carom/detection/hull_axes.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "carom/core/cross.hpp"
+
+namespace carom::detail {
+namespace {
+
+constexpr Real kInfinity = std::numeric_limits<Real>::infinity();
+// Sines below this make a cross product whose rounding is looked after.
+constexpr Real kSmallSine = 0.05;
+// Edges at a smaller sine are parallel: a face normal is as good as a tie.
+constexpr Real kParallelSine = 1e-12;
+// Gaps are sums of a dozen products of coordinates; each rounds by 1.1e-16 of the largest.
+constexpr Real kRounding = 32 * 1.1102230246251565e-16;
+
+// Two doubles at once, which every processor that Carom runs on can compare without a branch.
+using Two = Real __attribute__((vector_size(2 * sizeof(Real))));
+
+// One gap that has been computed. Without initial values: lists of it lie on the stack.
+struct Candidate {
+  Real gap;
+  AxisKind kind;
+  std::int32_t featureA;
+  std::int32_t featureB;
+  Vector3 normal;  // from A to B, frame of A
+};
+
+// The gaps that tie with the best one; few, because most are ruled out before they get here.
+class Candidates {
+ public:
+  explicit Candidates(Real tie) : tie_(tie) {}
+
+  Real best() const {
+    return best_;
+  }
+  void add(const Candidate& candidate) {
+    if (candidate.gap < best_ - tie_) return;
+    best_ = std::max(best_, candidate.gap);
+    if (count_ == kMost) {
+      int kept = 0;
+      for (int i = 0; i < count_; ++i) {
+        if (list_[i].gap >= best_ - tie_) list_[kept++] = list_[i];
+      }
+      // Dozens of gaps in one tie, as between concentric bodies of many faces: the last one goes.
+      count_ = std::min(kept, kMost - 1);
+    }
+    list_[count_++] = candidate;
+  }
+  // The best by a rule, of those within a tie; null if there are none.
+  template <class Better>
+  const Candidate* choose(const Better& better) const {
+    const Candidate* chosen = nullptr;
+    for (int i = 0; i < count_; ++i) {
+      if (list_[i].gap < best_ - tie_) continue;
+      if (chosen == nullptr || better(list_[i], *chosen)) chosen = &list_[i];
+    }
+    return chosen;
+  }
+
+ private:
+  static constexpr int kMost = 32;
+  Real tie_;
+  Real best_ = -kInfinity;
+  int count_ = 0;
+  Candidate list_[kMost];
+};
+
+// An array without initial values, which lies on the stack unless a body is unusually large.
+template <class T, int kUsual>
+class Scratch {
+ public:
+  explicit Scratch(int count) {
+    if (count > kUsual) {
+      large_.resize(static_cast<std::size_t>(count));
+      data_ = large_.data();
+    }
+  }
+  Scratch(const Scratch&) = delete;
+  Scratch& operator=(const Scratch&) = delete;
+
+  T* data() {
+    return data_;
+  }
+  T& operator[](int i) {
+    return data_[i];
+  }
+  const T& operator[](int i) const {
+    return data_[i];
+  }
+
+ private:
+  T usual_[kUsual];
+  std::vector<T> large_;
+  T* data_ = usual_;
+};
+
+using Heights = Scratch<Real, 128>;
+using Numbers = Scratch<std::int32_t, 128>;
+
+// Height of a point over each face; the number of the largest. No branch depends on the data: what
+// cannot be predicted costs more than what is computed in vain.
+int measure(const HullView& hull, const Vector3& point, Heights& heights) {
+  int highest = 0;
+  Real most = -kInfinity;
+  for (int f = 0; f < hull.faceCount; ++f) {
+    const Real height = hull.faces[f].normal.dot(point) - hull.faces[f].offset;
+    heights[f] = height;
+    highest = height > most ? f : highest;
+    most = height > most ? height : most;
+  }
+  return highest;
+}
+
+// The faces whose height reaches a threshold, without a branch. `list` has room for all.
+int facesAbove(const Heights& heights, int faceCount, Real threshold, std::int32_t* list) {
+  int count = 0;
+  for (int f = 0; f < faceCount; ++f) {
+    list[count] = f;
+    count += heights[f] >= threshold ? 1 : 0;
+  }
+  return count;
+}
+
+// The point itself if it lies in the hull, else where the way to the centroid enters it.
+Vector3 pulledInside(const HullView& hull, const Vector3& point, const Heights& heights) {
+  Real part = 1;
+  for (int f = 0; f < hull.faceCount; ++f) {
+    if (heights[f] <= 0) continue;
+    const Real inside = hull.faces[f].normal.dot(hull.centroid) - hull.faces[f].offset;
+    part = std::min(part, inside / (inside - heights[f]));
+  }
+  return part == 1 ? point : Vector3(hull.centroid + part * (point - hull.centroid));
+}
+
+// The first few faces that have been tried, so that they are not tried twice.
+class Tried {
+ public:
+  void add(int face) {
+    if (count_ < kMost) faces_[count_++] = face;
+  }
+  bool has(int face) const {
+    for (int i = 0; i < count_; ++i) {
+      if (faces_[i] == face) return true;
+    }
+    return false;
+  }
+
+ private:
+  static constexpr int kMost = 3;
+  int faces_[kMost];
+  int count_ = 0;
+};
+
+class Search {
+ public:
+  explicit Search(const HullPair& pair)
+      : pair_(pair),
+        tie_(kAxisTie * pair.size),
+        faces_(tie_),
+        edges_(tie_),
+        onA_(pair.a.faceCount),
+        onB_(pair.b.faceCount) {}
+
+  HullAxis run(const HullHint* hint, Real enough) {
+    if (hint == nullptr || !beginWith(*hint)) beginAtCentroids(enough);
+    if (best() > enough) return answer(false);
+
+    // All faces that the points do not rule out, then all edges.
+    Numbers above(std::max(pair_.a.faceCount, pair_.b.faceCount) + 1);
+    int count = facesAbove(onA_, pair_.a.faceCount, threshold(), above.data());
+    for (int k = 0; k < count; ++k) {
+      const int f = above[k];
+      if (onA_[f] >= threshold() && !triedA_.has(f)) tryFaceOfA(f);
+    }
+    count = facesAbove(onB_, pair_.b.faceCount, threshold(), above.data());
+    for (int k = 0; k < count; ++k) {
+      const int f = above[k];
+      if (onB_[f] >= threshold() && !triedB_.has(f)) tryFaceOfB(f);
+    }
+    if (best() > enough) return answer(false);
+    tryEdges();
+    return answer(true);
+  }
+
+ private:
+  Real best() const {
+    return std::max(faces_.best(), edges_.best());
+  }
+  // A gap that does not reach this cannot be chosen any more.
+  Real threshold() const {
+    return best() - tie_;
+  }
+
+  // Begins with the features that were best in the last step; false if they do not meet any more.
+  bool beginWith(const HullHint& hint) {
+    const HullView& a = pair_.a;
+    const HullView& b = pair_.b;
+    const bool hasA = hint.featureA >= 0, hasB = hint.featureB >= 0;
+    if (hint.kind == AxisKind::faceOfA && hasA && hint.featureA < a.faceCount) {
+      look(tryFaceOfA(hint.featureA));
+      return true;
+    }
+    if (hint.kind == AxisKind::faceOfB && hasB && hint.featureB < b.faceCount) {
+      const Vector3 lowest_B = pair_.R.transpose() * (tryFaceOfB(hint.featureB) - pair_.t);
+      measure(b, lowest_B, onB_);
+      const Vector3 inB_B = pulledInside(b, lowest_B, onB_);
+      measure(a, pair_.R * inB_B + pair_.t, onA_);
+      return true;
+    }
+    if (hint.kind != AxisKind::edges || !hasA || !hasB || hint.featureA >= a.edgeCount ||
+        hint.featureB >= b.edgeCount) {
+      return false;
+    }
+    const Arc arcA = arcOfA(hint.featureA), arcB = arcOfB(hint.featureB);
+    if (!arcsCross(arcA, arcB)) return false;
+    tryEdgePair(arcA, arcB);
+    lookAtEdges(arcA, arcB);
+    return true;
+  }
+
+  // Begins where the line of the centroids leaves A, and goes from there to the contact: to the
+  // face that is highest over it, the face of B there, and the edges around the better of both.
+  void beginAtCentroids(Real enough) {
+    const HullView& a = pair_.a;
+    const HullView& b = pair_.b;
+    const Vector3 direction = pair_.R * b.centroid + pair_.t - a.centroid;
+    int vertexB = farthestVertex(b, -(pair_.R.transpose() * direction));
+    Vector3 pointB = pair_.R * b.vertices[vertexB] + pair_.t;
+    int faceA = measure(a, pointB, onA_);
+    const Vector3 lowest = tryFaceOfA(faceA);
+    if (best() > enough) return;
+    if (lowest != pointB) {
+      vertexB = lowestVertex_;
+      pointB = lowest;
+      faceA = measure(a, pointB, onA_);
+      if (onA_[faceA] >= threshold() && !triedA_.has(faceA)) tryFaceOfA(faceA);
+      if (best() > enough) return;
+    }
+    const Vector3 pointA = pulledInside(a, pointB, onA_);
+    const int faceB = measure(b, pair_.R.transpose() * (pointA - pair_.t), onB_);
+    const Real before = best();
+    int vertexA = -1;
+    if (onB_[faceB] >= threshold()) {
+      tryFaceOfB(faceB);
+      vertexA = lowestVertex_;
+      if (best() > enough) return;
+    }
+
+    // Edges of the better face with those at the vertex that is lowest over it.
+    constexpr int kMost = 16;
+    Arc ofA[kMost], ofB[kMost];
+    int countA = 0, countB = 0;
+    if (best() > before) {
+      countA = arcsAt(
+          a, vertexA, kMost, [this](int e) { return arcOfA(e); }, ofA);
+      countB = arcsOf(
+          b, faceB, kMost, [this](int e) { return arcOfB(e); }, ofB);
+    } else {
+      countA = arcsOf(
+          a, faceA, kMost, [this](int e) { return arcOfA(e); }, ofA);
+      countB = arcsAt(
+          b, vertexB, kMost, [this](int e) { return arcOfB(e); }, ofB);
+    }
+    int bestA = -1, bestB = -1;
+    for (int i = 0; i < countA; ++i) {
+      for (int j = 0; j < countB; ++j) {
+        if (!arcsCross(ofA[i], ofB[j])) continue;
+        const Real old = best();
+        tryEdgePair(ofA[i], ofB[j]);
+        if (best() > old) {
+          bestA = i;
+          bestB = j;
+        }
+      }
+    }
+    if (bestA >= 0) lookAtEdges(ofA[bestA], ofB[bestB]);
+  }
+
+  // Measures both bodies from a point of B and a point of A beside it.
+  void look(const Vector3& pointB) {
+    measure(pair_.a, pointB, onA_);
+    const Vector3 pointA = pulledInside(pair_.a, pointB, onA_);
+    measure(pair_.b, pair_.R.transpose() * (pointA - pair_.t), onB_);
+  }
+
+  // Measures both bodies from the points where two edges are nearest.
+  template <class ArcType>
+  void lookAtEdges(const ArcType& arcA, const ArcType& arcB) {
+    const Vector3& u = arcA.along;
+    const Vector3& v = arcB.along;
+    const Vector3 between = arcB.start - arcA.start;
+    const Vector3 axis = cross(u, v);
+    const Real square = axis.squaredNorm();
+    if (!(square > 0)) return;
+    // Any points of the edges will do, so rounding does no harm.
+    const Real s = std::clamp(cross(between, v).dot(axis) / square, Real(0), Real(1));
+    const Real t = std::clamp(cross(between, u).dot(axis) / square, Real(0), Real(1));
+    measure(pair_.a, arcB.start + t * v, onA_);
+    measure(pair_.b, pair_.R.transpose() * (arcA.start + s * u - pair_.t), onB_);
+  }
+
+  // The gap on a face of A; returns the point of B that is lowest over it [frame of A].
+  Vector3 tryFaceOfA(int f) {
+    const HullFace& face = pair_.a.faces[f];
+    lowestVertex_ = farthestVertex(pair_.b, -(pair_.R.transpose() * face.normal));
+    const Vector3 point = pair_.R * pair_.b.vertices[lowestVertex_] + pair_.t;
+    faces_.add(
+        {face.normal.dot(point) - face.offset, AxisKind::faceOfA, f, lowestVertex_, face.normal});
+    triedA_.add(f);
+    return point;
+  }
+
+  // The gap on a face of B; returns the point of A that is lowest over it [frame of A].
+  Vector3 tryFaceOfB(int f) {
+    const HullFace& face = pair_.b.faces[f];
+    const Vector3 normal = pair_.R * face.normal;
+    lowestVertex_ = farthestVertex(pair_.a, -normal);
+    const Vector3& point = pair_.a.vertices[lowestVertex_];
+    faces_.add(
+        {normal.dot(point - pair_.t) - face.offset, AxisKind::faceOfB, lowestVertex_, f, -normal});
+    triedB_.add(f);
+    return point;
+  }
+
+  // An edge whose faces both lie more than the best gap below the point cannot make the best axis:
+  // its directions are n = x n1 + y n2 with x, y >= 0, and a point's height over the edge along n
+  // is x h1 + y h2, where x + y >= 1; for gaps above zero x + y is at most 1 / cos(half the angle).
+  static bool edgeMatters(const HullView& hull, const Heights& heights, const HullEdge& edge,
+                          Real toReach) {
+    const Real height = std::max(heights[edge.leftFace], heights[edge.rightFace]);
+    if (height >= toReach) return true;
+    if (toReach <= 0 || height <= 0) return false;
+    const Real cosine = hull.faces[edge.leftFace].normal.dot(hull.faces[edge.rightFace].normal);
+    return height * height >= toReach * toReach * (1 + cosine) / 2;
+  }
+
+  // An edge of one body, ready for the Gauss map. Without initial values, for lists on the stack.
+  struct Arc {
+    Vector3 start;  // first vertex [m, frame of A]
+    Vector3 along;  // from the first to the second vertex
+    Vector3 left;   // normal of its left face; of B: reversed
+    Vector3 right;  // normal of its right face; of B: reversed
+    int edge;
+  };
+
+  Arc arcOfA(int i) const {
+    const HullView& a = pair_.a;
+    const HullEdge& edge = a.edges[i];
+    return {a.vertices[edge.from], a.vertices[edge.to] - a.vertices[edge.from],
+            a.faces[edge.leftFace].normal, a.faces[edge.rightFace].normal, i};
+  }
+  Arc arcOfB(int j) const {
+    const HullView& b = pair_.b;
+    const HullEdge& edge = b.edges[j];
+    const Vector3 from = pair_.R * b.vertices[edge.from];
+    const Vector3 to = pair_.R * b.vertices[edge.to];
+    return {from + pair_.t, to - from, -(pair_.R * b.faces[edge.leftFace].normal),
+            -(pair_.R * b.faces[edge.rightFace].normal), j};
+  }
+
+  // Arcs of the edges of a face, and of those that meet in a vertex.
+  template <class Make>
+  static int arcsOf(const HullView& hull, int face, int most, const Make& make, Arc* arcs) {
+    const int count = std::min(hull.faces[face].count, most);
+    for (int k = 0; k < count; ++k) {
+      arcs[k] = make(hull.halfEdges[hull.faces[face].firstHalfEdge + k].edge);
+    }
+    return count;
+  }
+  template <class Make>
+  static int arcsAt(const HullView& hull, int vertex, int most, const Make& make, Arc* arcs) {
+    int count = 0;
+    const int first = hull.anyHalfEdge[vertex];
+    int side = first;
+    do {
+      arcs[count++] = make(hull.halfEdges[side].edge);
+      side = hull.halfEdges[hull.halfEdges[side].twin].next;
+    } while (side != first && count < most);
+    return count;
+  }
+
+  // Whether two arcs cross: the ends of each on different sides of the other, on the same half of
+  // the sphere. The direction of an edge is that of the cross product of its normals.
+  static bool arcsCross(const Arc& arcA, const Arc& arcB) {
+    const Real l = arcB.left.dot(arcA.along), r = arcB.right.dot(arcA.along);
+    const Real p = arcA.left.dot(arcB.along), q = arcA.right.dot(arcB.along);
+    return (l * r < 0) & (p * q < 0) & (l * p < 0);
+  }
+
+  // The edges of one body that the heights do not rule out: those of the faces that reach the
+  // threshold, and for gaps above zero all that edgeMatters().
+  int edgesThatMatter(const HullView& hull, const Heights& heights, Numbers& list) const {
+    const Real toReach = threshold();
+    int count = 0;
+    if (toReach > 0) {
+      for (int e = 0; e < hull.edgeCount; ++e) {
+        list[count] = e;
+        count += edgeMatters(hull, heights, hull.edges[e], toReach) ? 1 : 0;
+      }
+      return count;
+    }
+    Numbers above(hull.faceCount + 1);
+    const int faces = facesAbove(heights, hull.faceCount, toReach, above.data());
+    for (int k = 0; k < faces; ++k) {
+      const HullFace& face = hull.faces[above[k]];
+      for (int h = face.firstHalfEdge; h < face.firstHalfEdge + face.count; ++h) {
+        const HullHalfEdge& side = hull.halfEdges[h];
+        const std::int32_t other = hull.halfEdges[side.twin].face;
+        // An edge between two such faces is met twice, and taken once.
+        list[count] = side.edge;
+        count += (heights[other] < toReach) | (above[k] < other) ? 1 : 0;
+      }
+    }
+    return count;
+  }
+
+  void tryEdges() {
+    Numbers edgesA(2 * pair_.a.edgeCount + 1), edgesB(2 * pair_.b.edgeCount + 1);
+    const int countA = edgesThatMatter(pair_.a, onA_, edgesA);
+    const int countB = edgesThatMatter(pair_.b, onB_, edgesB);
+    Scratch<Arc, 32> arcsB(countB);
+    for (int k = 0; k < countB; ++k) arcsB[k] = arcOfB(edgesB[k]);
+    Numbers crossing(countB + 1);
+    for (int i = 0; i < countA; ++i) {
+      const Arc arcA = arcOfA(edgesA[i]);
+      int count = 0;
+      for (int k = 0; k < countB; ++k) {
+        crossing[count] = k;
+        count += arcsCross(arcA, arcsB[k]) ? 1 : 0;
+      }
+      for (int k = 0; k < count; ++k) tryEdgePair(arcA, arcsB[crossing[k]]);
+    }
+  }
+
+  void tryEdgePair(const Arc& arcA, const Arc& arcB) {
+    const Vector3 axis = cross(arcA.along, arcB.along);
+    const Real square = axis.squaredNorm();
+    const Real sides = arcA.along.squaredNorm() * arcB.along.squaredNorm();
+    if (square <= kParallelSine * kParallelSine * sides) {
+      blur_ = std::max(blur_, 2 * kParallelSine * pair_.size);
+      return;
+    }
+    const Real length = std::sqrt(square);
+    Vector3 normal = axis / length;
+    if (normal.dot(arcA.left + arcA.right) < 0) normal = -normal;
+    Real gap = normal.dot(arcB.start - arcA.start);
+    if (square < kSmallSine * kSmallSine * sides) {
+      // The direction is off by rounding over sine, and with it the height of one edge over the
+      // other. The farthest points along the direction as it is give a gap that is surely there.
+      // Turning B by the angle between the edges would make them parallel, and then a face is as
+      // good: that is the other limit to what can be missed.
+      const Real sine = std::sqrt(square / sides);
+      const Real blur = std::min(kRounding * pair_.reach / sine, 2 * sine * pair_.size);
+      if (gap + blur < threshold()) return;
+      blur_ = std::max(blur_, blur);
+      const Vector3 lowB =
+          pair_.R * pair_.b.vertices[farthestVertex(pair_.b, -(pair_.R.transpose() * normal))] +
+          pair_.t;
+      gap = normal.dot(lowB - pair_.a.vertices[farthestVertex(pair_.a, normal)]);
+    }
+    edges_.add({gap, AxisKind::edges, arcA.edge, arcB.edge, normal});
+  }
+
+  // Area of a face, for ties.
+  static Real areaOf(const HullView& hull, int f) {
+    const HullFace& face = hull.faces[f];
+    const Vector3& origin = hull.vertices[hull.halfEdges[face.firstHalfEdge].origin];
+    Real doubled = 0;
+    for (int k = 1; k + 1 < face.count; ++k) {
+      const Vector3 p = hull.vertices[hull.halfEdges[face.firstHalfEdge + k].origin] - origin;
+      const Vector3 q = hull.vertices[hull.halfEdges[face.firstHalfEdge + k + 1].origin] - origin;
+      doubled += face.normal.dot(cross(p, q));
+    }
+    return doubled;
+  }
+
+  // Before the one candidate comes the other: A before B, low numbers before high ones.
+  static bool precedes(const Candidate& x, const Candidate& y) {
+    if (x.kind != y.kind) return x.kind < y.kind;
+    if (x.kind == AxisKind::faceOfB) return x.featureB < y.featureB;
+    if (x.featureA != y.featureA) return x.featureA < y.featureA;
+    return x.featureB < y.featureB;
+  }
+
+  // Of faces that tie the largest, then the first.
+  bool betterFace(const Candidate& x, const Candidate& y) const {
+    const Real areaX =
+        x.kind == AxisKind::faceOfA ? areaOf(pair_.a, x.featureA) : areaOf(pair_.b, x.featureB);
+    const Real areaY =
+        y.kind == AxisKind::faceOfA ? areaOf(pair_.a, y.featureA) : areaOf(pair_.b, y.featureB);
+    if (std::abs(areaX - areaY) > kAxisTie * std::max(areaX, areaY)) return areaX > areaY;
+    return precedes(x, y);
+  }
+
+  HullAxis answer(bool all) const {
+    const Candidate* face =
+        faces_.choose([this](const Candidate& x, const Candidate& y) { return betterFace(x, y); });
+    const Candidate* edges = edges_.choose(precedes);
+    // A face unless edges are better by more than a tie; and never a face that hides a gap.
+    const bool faceWins = edges == nullptr || (face != nullptr && face->gap >= threshold() &&
+                                               !(best() > 0 && faces_.best() <= 0));
+    const Candidate& chosen = faceWins ? *face : *edges;
+    HullAxis result;
+    result.separation = chosen.gap;
+    result.normal = chosen.normal;
+    result.kind = chosen.kind;
+    result.featureA = chosen.featureA;
+    result.featureB = chosen.featureB;
+    result.error = kRounding * pair_.reach + blur_;
+    result.all = all;
+    return result;
+  }
+
+  const HullPair& pair_;
+  Real tie_;
+  Candidates faces_;
+  Candidates edges_;
+  Heights onA_;           // of one point of B over all faces of A
+  Heights onB_;           // of one point of A over all faces of B
+  int lowestVertex_ = 0;  // found by the last try of a face
+  Tried triedA_, triedB_;
+  Real blur_ = 0;
+};
+
+}  // namespace
+
+int farthestVertex(const HullView& hull, const Vector3& direction) {
+  // Two passes without a branch that depends on data: all products, then where the largest is.
+  constexpr int kChunk = 64;
+  int farthest = 0;
+  Real best = -kInfinity;
+  for (int begin = 0; begin < hull.vertexCount; begin += kChunk) {
+    const int count = std::min(kChunk, hull.vertexCount - begin);
+    alignas(16) Real products[kChunk + 1];
+    for (int i = 0; i < count; ++i) {
+      products[i] = hull.x[begin + i] * direction.x() + hull.y[begin + i] * direction.y() +
+                    hull.z[begin + i] * direction.z();
+    }
+    products[count] = products[0];
+    Two most = {products[0], products[0]};
+    for (int i = 0; i < count; i += 2) {
+      const Two next = {products[i], products[i + 1]};
+      most = next > most ? next : most;
+    }
+    const Real largest = std::max(most[0], most[1]);
+    if (largest > best) {
+      best = largest;
+      int i = 0;
+      while (i + 1 < count && products[i] != largest) ++i;
+      farthest = begin + i;
+    }
+  }
+  return farthest;
+}
+
+HullPair hullPair(const HullView& a, const Pose& A, const HullView& b, const Pose& B) {
+  HullPair pair;
+  pair.a = a;
+  pair.b = b;
+  pair.R.noalias() = A.R_WB.transpose() * B.R_WB;
+  pair.t.noalias() = A.R_WB.transpose() * (B.p_WB - A.p_WB);
+  pair.size = a.boundingRadius + b.boundingRadius;
+  pair.reach = pair.size + a.centroid.cwiseAbs().sum() + b.centroid.cwiseAbs().sum() +
+               pair.t.cwiseAbs().sum();
+  return pair;
+}
+
+HullAxis bestHullAxis(const HullPair& pair, const HullHint* hint, Real enough) {
+  Search search(pair);
+  return search.run(hint, enough);
+}
+
+}  // namespace carom::detail
