@@ -12,10 +12,10 @@
 #include <utility>
 #include <vector>
 
+#include "carom/core/random.hpp"
 #include "carom/detection/gjk_distance.hpp"
 #include "carom/detection/hull_of_points.hpp"
 #include "carom/detection/sat_hulls.hpp"
-#include "carom/mass/random.hpp"
 #include "carom_io/plot.hpp"
 #include "carom_io/table.hpp"
 

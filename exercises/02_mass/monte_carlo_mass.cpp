@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "carom/core/checks.hpp"
+#include "carom/core/random.hpp"
 #include "carom/core/todo.hpp"
-#include "carom/mass/random.hpp"
 
 namespace carom {
 namespace {

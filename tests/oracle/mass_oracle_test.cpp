@@ -14,12 +14,12 @@
 #include <string>
 #include <vector>
 
+#include "carom/core/random.hpp"
 #include "carom/mass/center_of_mass.hpp"
 #include "carom/mass/check_mesh.hpp"
 #include "carom/mass/inertia_tensor.hpp"
 #include "carom/mass/mass_properties.hpp"
 #include "carom/mass/meshes.hpp"
-#include "carom/mass/random.hpp"
 #include "carom/mass/self_intersections.hpp"
 #include "carom/mass/signed_volume.hpp"
 #include "carom_io/mesh_file.hpp"

@@ -5,7 +5,7 @@
 
 #include "carom/core/cross.hpp"
 #include "carom/core/errors.hpp"
-#include "carom/mass/random.hpp"
+#include "carom/core/random.hpp"
 
 namespace carom {
 namespace {

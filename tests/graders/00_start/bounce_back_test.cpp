@@ -49,8 +49,8 @@ TEST_CASE("direction") {
 TEST_CASE("flight") {
   Random random(seed());
   for (int n = 0; n < 30; ++n) {
-    const Real dropHeight = random.uniform(0.1, 20);
-    const Real returnHeight = dropHeight * random.uniform(0.02, 0.98);
+    const Real dropHeight = random.between(0.1, 20);
+    const Real returnHeight = dropHeight * random.between(0.02, 0.98);
     GRADE(heightAfterBounce(dropHeight, restitutionForHeight(dropHeight, returnHeight)),
           returnHeight, withinRelative(1e-14, "a dozen roundings of the flight"),
           given("dropHeight", dropHeight, "m"), given("returnHeight", returnHeight, "m"), unit("m"),
@@ -73,8 +73,8 @@ TEST_CASE("refuses") {
 PROBES() {
   Random random(11);
   for (int n = 0; n < 16; ++n) {
-    const Real dropHeight = random.uniform(0.1, 20);
-    const Real returnHeight = dropHeight * random.uniform(0.02, 0.98);
+    const Real dropHeight = random.between(0.1, 20);
+    const Real returnHeight = dropHeight * random.between(0.02, 0.98);
     PROBE(restitutionForHeight(dropHeight, returnHeight));
   }
 }

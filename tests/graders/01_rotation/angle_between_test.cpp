@@ -37,7 +37,7 @@ struct Pair {
 
 // An orientation, and the one that a turn about any axis makes of it.
 Pair anyPair(Random& random, Real angle) {
-  const Quaternion a = turnAbout(random.direction(), random.uniform(0.5, 5));
+  const Quaternion a = turnAbout(random.direction(), random.between(0.5, 5));
   const Quaternion turn = turnAbout(random.direction(), angle);
   return {a, hamiltonProduct(turn, a)};
 }
@@ -49,7 +49,7 @@ TEST_CASE("other_sign") {
   const Quaternion none{1, 0, 0, 0};
   asks(none, times(-1, turnAbout({0, 0, 1}, 0.5)), 0.5, "half a radian apart, with a sign changed");
   for (int n = 0; n < 20; ++n) {
-    const Real angle = random.uniform(0.1, 3);
+    const Real angle = random.between(0.1, 3);
     const Pair pair = anyPair(random, angle);
     asks(pair.a, times(-1, pair.b), angle, "b is given with its other sign");
   }
@@ -66,7 +66,7 @@ TEST_CASE("small") {
   // Elsewhere the numbers of a and b are rounded, and that is 1e-16 rad.
   Random random(seed());
   for (int n = 0; n < 20; ++n) {
-    const Real angle = std::pow(10, random.uniform(-12, -9));
+    const Real angle = std::pow(10, random.between(-12, -9));
     const Pair pair = anyPair(random, angle);
     GRADE(angleBetween(pair.a, pair.b), angle, within(2e-15, "rounding of a and b themselves"),
           given("a", pair.a), given("b", pair.b), unit("rad"), about("a small turn"));
@@ -76,10 +76,10 @@ TEST_CASE("small") {
 TEST_CASE("any_length") {
   Random random(seed());
   for (int n = 0; n < 20; ++n) {
-    const Real angle = random.uniform(0.2, 3);
+    const Real angle = random.between(0.2, 3);
     const Pair pair = anyPair(random, angle);
-    const Real first = random.uniform(0.01, 0.5);
-    const Real second = random.uniform(0.01, 0.5);
+    const Real first = random.between(0.01, 0.5);
+    const Real second = random.between(0.01, 0.5);
     asks(times(first, pair.a), times(second, pair.b), angle, "both quaternions are shorter than 1");
     asks(times(1 / first, pair.a), times(1 / second, pair.b), angle,
          "both quaternions are longer than 1");
@@ -89,7 +89,7 @@ TEST_CASE("any_length") {
 TEST_CASE("turns") {
   Random random(seed());
   for (int n = 0; n < 20; ++n) {
-    const Real angle = random.uniform(0.5, 3);
+    const Real angle = random.between(0.5, 3);
     Pair pair = anyPair(random, angle);
     if (pair.a.w * pair.b.w + pair.a.x * pair.b.x + pair.a.y * pair.b.y + pair.a.z * pair.b.z < 0) {
       pair.b = times(-1, pair.b);
@@ -105,7 +105,7 @@ TEST_CASE("turns") {
 PROBES() {
   Random random(20);
   for (int n = 0; n < 16; ++n) {
-    const Pair pair = anyPair(random, random.uniform(0.3, 3));
+    const Pair pair = anyPair(random, random.between(0.3, 3));
     PROBE(angleBetween(pair.a, n % 2 ? pair.b : times(-1, pair.b)));
     PROBE(angleBetween(times(0.3, pair.a), pair.b));
   }

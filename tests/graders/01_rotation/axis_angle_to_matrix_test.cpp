@@ -48,7 +48,7 @@ TEST_CASE("axis_stays") {
   Random random(seed());
   for (int n = 0; n < 30; ++n) {
     const Vector3 axis = random.direction();
-    const Real angle = random.uniform(-7, 7);
+    const Real angle = random.between(-7, 7);
     asksWhere(axis, angle, axis, axis, "the axis of a turn does not move");
     GRADE(trace(axisAngleToMatrix(axis, angle)), 1 + 2 * std::cos(angle), within(3e-15, kRounding),
           given("axis", axis), given("angle", angle, "rad"),
@@ -85,7 +85,7 @@ PROBES() {
   Random random(13);
   for (int n = 0; n < 20; ++n) {
     const Vector3 axis = random.vector(2);
-    PROBE(axisAngleToMatrix(axis, random.uniform(-4, 4)));
+    PROBE(axisAngleToMatrix(axis, random.between(-4, 4)));
   }
   PROBE(axisAngleToMatrix(Vector3(0, 0, 0), 1));
 }

@@ -46,7 +46,7 @@ TEST_CASE("twice") {
   Random random(seed());
   for (int n = 0; n < 30; ++n) {
     const Vector3 axis = random.direction();
-    const Real angle = random.uniform(-7, 7);
+    const Real angle = random.between(-7, 7);
     const Vector3 v = std::sin(angle) * axis;
     GRADE(square(axisAngleToQuaternion(axis, angle)),
           (Quaternion{std::cos(angle), v.x(), v.y(), v.z()}), within(2e-15, kRounding),
@@ -78,7 +78,7 @@ PROBES() {
   Random random(14);
   for (int n = 0; n < 20; ++n) {
     const Vector3 axis = random.vector(2);
-    PROBE(axisAngleToQuaternion(axis, random.uniform(-4, 4)));
+    PROBE(axisAngleToQuaternion(axis, random.between(-4, 4)));
   }
   PROBE(axisAngleToQuaternion(Vector3(0, 0, 0), 1));
 }

@@ -32,9 +32,9 @@ Real determinant(const Matrix3& R) {
 }
 
 EulerAngles anyAngles(Random& random) {
-  const Real roll = random.uniform(-3, 3);
-  const Real pitch = random.uniform(-3, 3);
-  return {roll, pitch, random.uniform(-3, 3)};
+  const Real roll = random.between(-3, 3);
+  const Real pitch = random.between(-3, 3);
+  return {roll, pitch, random.between(-3, 3)};
 }
 
 void asksWhere(const EulerAngles& angles, const Vector3& point, const Vector3& expected) {

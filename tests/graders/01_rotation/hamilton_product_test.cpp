@@ -26,7 +26,7 @@ Quaternion pure(const Vector3& v) {
 }
 
 Quaternion anyQuaternion(Random& random) {
-  const Real w = random.uniform(-2, 2);
+  const Real w = random.between(-2, 2);
   const Vector3 v = random.vector(2);
   return {w, v.x(), v.y(), v.z()};
 }

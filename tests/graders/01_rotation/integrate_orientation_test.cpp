@@ -64,8 +64,8 @@ TEST_CASE("steps") {
   Random random(seed());
   for (int n = 0; n < 20; ++n) {
     const Vector3 axis = random.direction();
-    const Real rate = random.uniform(1, 4);
-    const Real time = random.uniform(0.5, 1.5);
+    const Real rate = random.between(1, 4);
+    const Real time = random.between(0.5, 1.5);
     const Vector3 omega = rate * axis;
     const Vector3 u = std::sin(rate * time / 2) * axis;
     const int steps = random.integer(1, 12);
@@ -83,7 +83,7 @@ TEST_CASE("unit") {
   Random random(seed());
   for (int n = 0; n < 10; ++n) {
     const Vector3 u = random.vector();
-    const Quaternion q{random.uniform(0.5, 1), u.x(), u.y(), u.z()};
+    const Quaternion q{random.between(0.5, 1), u.x(), u.y(), u.z()};
     const Vector3 omega = random.vector(5);
     GRADE(squaredLength(integrateOrientation(q, omega, 0.1)), 1, within(1e-15, kRounding),
           given("q", q), given("angularVelocity", omega, "rad/s"), given("dt", 0.1, "s"),
@@ -96,7 +96,7 @@ PROBES() {
   for (int n = 0; n < 20; ++n) {
     const Vector3 u = random.vector();
     const Vector3 omega = random.vector(4);
-    const Quaternion q{random.uniform(0.5, 1), u.x(), u.y(), u.z()};
-    PROBE(integrateOrientation(q, omega, random.uniform(-1, 1)));
+    const Quaternion q{random.between(0.5, 1), u.x(), u.y(), u.z()};
+    PROBE(integrateOrientation(q, omega, random.between(-1, 1)));
   }
 }

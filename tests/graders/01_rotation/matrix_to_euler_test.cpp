@@ -62,9 +62,9 @@ TEST_CASE("angles") {
   asksAngles({.roll = 0.3, .pitch = -0.7, .yaw = 1.1});
   Random random(seed());
   for (int n = 0; n < 30; ++n) {
-    const Real roll = random.uniform(-1.5, 1.5);
-    const Real pitch = random.uniform(-1.2, 1.2);
-    asksAngles({roll, pitch, random.uniform(-1.5, 1.5)});
+    const Real roll = random.between(-1.5, 1.5);
+    const Real pitch = random.between(-1.2, 1.2);
+    asksAngles({roll, pitch, random.between(-1.5, 1.5)});
   }
 }
 
@@ -99,11 +99,11 @@ TEST_CASE("lock") {
         about("pitch is a quarter turn down, roll + yaw = 2.2 rad"));
   Random random(seed());
   for (int n = 0; n < 40; ++n) {
-    const Real roll = random.uniform(-3, 3);
-    const Real fromLock = std::pow(10, random.uniform(-16, -3));
+    const Real roll = random.between(-3, 3);
+    const Real fromLock = std::pow(10, random.between(-16, -3));
     const Real sign = n % 2 ? 1 : -1;
     const Matrix3 R =
-        rounded(matrixOf({roll, sign * (kQuarter - fromLock), random.uniform(-3, 3)}));
+        rounded(matrixOf({roll, sign * (kQuarter - fromLock), random.between(-3, 3)}));
     GRADE(rebuilt(R), R, within(1e-7, "ten times what a branch below cos pitch = 1e-8 costs"),
           given("R", R), about("the matrix made from the angles that you found"));
   }
@@ -112,9 +112,9 @@ TEST_CASE("lock") {
 PROBES() {
   Random random(12);
   for (int n = 0; n < 16; ++n) {
-    const Real roll = random.uniform(-3, 3);
-    const Real pitch = random.uniform(-1.4, 1.4);
-    PROBE(matrixToEuler(matrixOf({roll, pitch, random.uniform(-3, 3)})));
+    const Real roll = random.between(-3, 3);
+    const Real pitch = random.between(-1.4, 1.4);
+    PROBE(matrixToEuler(matrixOf({roll, pitch, random.between(-3, 3)})));
   }
   for (const Real angle : {0.7, -2.5}) {
     PROBE(matrixToEuler(lockedUp(angle)));

@@ -47,7 +47,7 @@ TEST_CASE("turns") {
   Random random(seed());
   for (int n = 0; n < 30; ++n) {
     const Vector3 axis = random.direction();
-    const Real angle = random.uniform(0.1, 6);
+    const Real angle = random.between(0.1, 6);
     const Vector3 u = std::sin(angle) * axis;
     const Vector3 rotation = angle * axis;
     GRADE(square(quaternionExponential(rotation)),

@@ -25,7 +25,7 @@ Real squaredLength(const Quaternion& q) {
 // Uniform on the sphere of unit quaternions, by throwing away what lies outside the ball.
 Quaternion anyUnit(Random& random) {
   for (;;) {
-    const Real w = random.uniform(-1, 1);
+    const Real w = random.between(-1, 1);
     const Vector3 v = random.vector();
     const Real squared = w * w + v.squaredNorm();
     if (squared > 0.01 && squared < 1) {
@@ -48,7 +48,7 @@ TEST_CASE("length") {
   Random random(seed());
   for (int n = 0; n < 30; ++n) {
     const Quaternion unit = anyUnit(random);
-    asks(times(random.uniform(0.1, 5), unit), unit);
+    asks(times(random.between(0.1, 5), unit), unit);
   }
 }
 
@@ -56,7 +56,7 @@ TEST_CASE("drifted") {
   Random random(seed());
   for (int n = 0; n < 30; ++n) {
     const Quaternion unit = anyUnit(random);
-    const Quaternion q = times(1 + random.uniform(1e-6, 1e-3) * (n % 2 ? 1 : -1), unit);
+    const Quaternion q = times(1 + random.between(1e-6, 1e-3) * (n % 2 ? 1 : -1), unit);
     asks(q, unit);
     GRADE(squaredLength(renormalize(q)), 1, within(1e-15, kRounding), given("q", q),
           about("the square of the length of the result"));
@@ -79,7 +79,7 @@ PROBES() {
   Random random(16);
   for (int n = 0; n < 20; ++n) {
     const Quaternion unit = anyUnit(random);
-    PROBE(renormalize(times(random.uniform(0.1, 3), unit)));
+    PROBE(renormalize(times(random.between(0.1, 3), unit)));
   }
   PROBE(renormalize({3e200, 0, -4e200, 0}));
   PROBE(renormalize({0, 3e-200, 0, -4e-200}));

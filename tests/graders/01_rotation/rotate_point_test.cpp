@@ -46,7 +46,7 @@ TEST_CASE("any_turn") {
   Random random(seed());
   for (int n = 0; n < 30; ++n) {
     const Vector3 axis = random.direction();
-    const Real angle = random.uniform(-6, 6);
+    const Real angle = random.between(-6, 6);
     const Vector3 u = std::sin(angle / 2) * axis;
     const Quaternion q{std::cos(angle / 2), u.x(), u.y(), u.z()};
     const Vector3 v = random.vector(3);
@@ -79,7 +79,7 @@ PROBES() {
   for (int n = 0; n < 20; ++n) {
     const Vector3 u = random.vector(2);
     const Vector3 v = random.vector(2);
-    PROBE(rotatePoint({random.uniform(-2, 2), u.x(), u.y(), u.z()}, v));
+    PROBE(rotatePoint({random.between(-2, 2), u.x(), u.y(), u.z()}, v));
   }
   PROBE(rotatePoint({0, 0, 0, 0}, {1, 2, 3}));
 }

@@ -45,7 +45,7 @@ struct Pair {
   }
 };
 Pair anyPair(Random& random, Real angle) {
-  Pair pair{random.direction(), turnAbout(random.direction(), random.uniform(0.5, 5)), {}};
+  Pair pair{random.direction(), turnAbout(random.direction(), random.between(0.5, 5)), {}};
   pair.b = hamiltonProduct(turnAbout(pair.axis, angle), pair.a);
   return pair;
 }
@@ -71,9 +71,9 @@ TEST_CASE("way") {
 TEST_CASE("speed") {
   Random random(seed());
   for (int n = 0; n < 30; ++n) {
-    const Real angle = random.uniform(1, 3);
+    const Real angle = random.between(1, 3);
     const Pair pair = anyPair(random, angle);
-    const Real t = n % 3 == 0 ? random.uniform(1.1, 1.4) : random.uniform(0.1, 0.4);
+    const Real t = n % 3 == 0 ? random.between(1.1, 1.4) : random.between(0.1, 0.4);
     asks(pair.a, pair.b, t, pair.at(t, angle), "this fraction of a turn about one axis");
   }
 }
@@ -81,9 +81,9 @@ TEST_CASE("speed") {
 TEST_CASE("short") {
   Random random(seed());
   for (int n = 0; n < 20; ++n) {
-    const Real angle = random.uniform(0.5, 3);
+    const Real angle = random.between(0.5, 3);
     const Pair pair = anyPair(random, angle);
-    const Real t = random.uniform(0.2, 0.8);
+    const Real t = random.between(0.2, 0.8);
     asks(pair.a, minus(pair.b), t, pair.at(t, angle), "b is given with its other sign");
     asks(minus(pair.a), pair.b, t, pair.at(t, angle), "a is given with its other sign");
   }
@@ -102,7 +102,7 @@ TEST_CASE("close") {
   }
   Random random(seed());
   for (int n = 0; n < 5; ++n) {
-    const Quaternion a = turnAbout(random.direction(), random.uniform(0.5, 5));
+    const Quaternion a = turnAbout(random.direction(), random.between(0.5, 5));
     asks(a, a, 0.5, a, "a and b are the same");
     asks(a, minus(a), 0.3, a, "a and b are the same, with other signs");
   }
@@ -111,8 +111,8 @@ TEST_CASE("close") {
 PROBES() {
   Random random(19);
   for (int n = 0; n < 16; ++n) {
-    const Pair pair = anyPair(random, random.uniform(0.5, 3));
-    PROBE(slerp(pair.a, n % 2 ? pair.b : minus(pair.b), random.uniform(0, 1)));
+    const Pair pair = anyPair(random, random.between(0.5, 3));
+    PROBE(slerp(pair.a, n % 2 ? pair.b : minus(pair.b), random.between(0, 1)));
   }
   const Quaternion one{1, 0, 0, 0};
   PROBE(slerp(one, one, 0.5));

@@ -43,7 +43,7 @@ TEST_CASE("halves") {
   // Cut across x: each half has its centre a quarter of the edge away, which adds m d² to y and z.
   Random random(seed());
   for (int n = 0; n < 20; ++n) {
-    const Real mass = random.uniform(0.5, 5);
+    const Real mass = random.between(0.5, 5);
     const Vector3 size = Vector3(1.5, 1.5, 1.5) + random.vector();
     const Vector3 halfSize(size.x() / 2, size.y(), size.z());
     const Real shift = mass * size.x() * size.x() / 16;
@@ -66,7 +66,7 @@ TEST_CASE("refuses") {
 PROBES() {
   Random random(23);
   for (int n = 0; n < 16; ++n) {
-    const Real mass = random.uniform(0.5, 5);
+    const Real mass = random.between(0.5, 5);
     const Vector3 size = Vector3(1.5, 1.5, 1.5) + random.vector();
     PROBE(boxInertia(mass, size));
   }

@@ -109,8 +109,8 @@ PROBES() {
   Random random(22);
   for (int n = 0; n < 8; ++n) {
     const Vector3 place = random.vector(3);
-    PROBE(centerOfMass(translated(hollowBox(random.uniform(0.6, 3.4)), place)));
-    PROBE(centerOfMass(translated(pyramid(random.uniform(1, 3), 5), place)));
+    PROBE(centerOfMass(translated(hollowBox(random.between(0.6, 3.4)), place)));
+    PROBE(centerOfMass(translated(pyramid(random.between(1, 3), 5), place)));
     PROBE(centerOfMass(translated(boxWithFineTop({1, 2, 3}, 2), place)));
   }
 }

@@ -67,9 +67,9 @@ TEST_CASE("cut") {
   for (int n = 0; n < 15; ++n) {
     const Vector3 low = random.vector(3);
     const Vector3 high = low + Vector3(1.5, 1.5, 1.5) + random.vector();
-    const Real density = random.uniform(0.5, 3);
+    const Real density = random.between(0.5, 3);
     const int axis = random.integer(0, 2);
-    const Real cut = low[axis] + random.uniform(0.1, 0.9) * (high[axis] - low[axis]);
+    const Real cut = low[axis] + random.between(0.1, 0.9) * (high[axis] - low[axis]);
     Vector3 highOfFirst = high;
     Vector3 lowOfSecond = low;
     highOfFirst[axis] = lowOfSecond[axis] = cut;
@@ -109,7 +109,7 @@ PROBES() {
     for (int i = 0; i < 3; ++i) {
       const Vector3 low = random.vector(2);
       parts.push_back(
-          box(low, low + Vector3(1.5, 1.5, 1.5) + random.vector(), random.uniform(1, 4)));
+          box(low, low + Vector3(1.5, 1.5, 1.5) + random.vector(), random.between(1, 4)));
     }
     parts.push_back(ball(-0.1, 0.2, random.vector(), -0.1));
     PROBE(combineBodies(parts));

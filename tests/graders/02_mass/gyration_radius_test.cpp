@@ -46,7 +46,7 @@ struct Cloud {
 
 Cloud anyCloud(Random& random) {
   Cloud cloud;
-  cloud.mass = random.uniform(0.2, 3);
+  cloud.mass = random.between(0.2, 3);
   for (int n = 0; n < 4; ++n) {
     const Vector3 p = random.vector(2);
     cloud.points.push_back(p);
@@ -60,8 +60,8 @@ Cloud anyCloud(Random& random) {
 TEST_CASE("ball") {
   Random random(seed());
   for (int n = 0; n < 10; ++n) {
-    const Real mass = random.uniform(0.5, 20);
-    const Real radius = random.uniform(0.2, 2);
+    const Real mass = random.between(0.5, 20);
+    const Real radius = random.between(0.2, 2);
     const MassProperties ball = bodyWith(mass, Vector3::Constant(0.4 * mass * radius * radius));
     const Vector3 axis = random.direction();
     GRADE(gyrationRadius(ball, axis), radius * std::sqrt(0.4), withinRelative(1e-14, kRounding),
@@ -97,7 +97,7 @@ TEST_CASE("parts") {
   Random random(seed());
   for (int n = 0; n < 20; ++n) {
     const Cloud cloud = anyCloud(random);
-    const Vector3 axis = random.direction() * random.uniform(0.5, 3);
+    const Vector3 axis = random.direction() * random.between(0.5, 3);
     GRADE(gyrationRadius(cloud.body(), axis), cloud.rootMeanSquareDistance(axis),
           withinRelative(1e-13, kRounding),
           given("eight equal masses, inertia", cloud.body().inertia, "kg m^2"),
@@ -115,7 +115,7 @@ PROBES() {
   Random random(29);
   for (int n = 0; n < 20; ++n) {
     const MassProperties body = anyCloud(random).body();
-    const Vector3 axis = random.direction() * random.uniform(0.5, 3);
+    const Vector3 axis = random.direction() * random.between(0.5, 3);
     PROBE(gyrationRadius(body, axis));
   }
 }

@@ -81,7 +81,7 @@ TEST_CASE("about_centre") {
   for (int n = 0; n < 15; ++n) {
     const Vector3 size = Vector3(1.5, 1.5, 1.5) + random.vector();
     const Vector3 corner = random.vector(4);
-    const Real density = random.uniform(0.5, 4);
+    const Real density = random.between(0.5, 4);
     const Real mass = density * size.prod();
     GRADE(inertiaTensor(boxMesh(corner, corner + size), density), boxTensor(mass, size),
           within(1e-11, kRounding), given("low corner of a box", corner, "m"),
@@ -135,7 +135,7 @@ PROBES() {
     const Vector3 a = random.vector(2);
     const TriangleMesh mesh =
         tetrahedronMesh(a, a + random.vector(), a + random.vector(), a + random.vector());
-    const Real density = random.uniform(2, 4);
+    const Real density = random.between(2, 4);
     PROBE(inertiaTensor(mesh, density));
   }
 }

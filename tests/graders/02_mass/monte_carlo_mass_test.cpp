@@ -131,6 +131,6 @@ PROBES() {
   Random random(28);
   for (int n = 0; n < 16; ++n) {
     const Vector3 place = 0.1 * random.vector();
-    PROBE(monteCarloMass(cornerOfBox(place), random.uniform(1, 3), 200, random.bits() >> 32));
+    PROBE(monteCarloMass(cornerOfBox(place), random.between(1, 3), 200, random.bits() >> 32));
   }
 }

@@ -54,7 +54,7 @@ Cloud anyCloud(Random& random) {
   Cloud cloud;
   for (int n = 0; n < 5; ++n) {
     cloud.points.push_back(random.vector());
-    cloud.masses.push_back(random.uniform(0.2, 2));
+    cloud.masses.push_back(random.between(0.2, 2));
   }
   return cloud;
 }

@@ -61,8 +61,8 @@ TEST_CASE("separation") {
     // The distance is chosen first: B is placed along a direction.
     const Vector3 a = random.vector(5);
     const Vector3 direction = random.direction();
-    const Real radiusA = random.uniform(0, 2), radiusB = random.uniform(0, 2);
-    const Real separation = random.uniform(-1, 3);
+    const Real radiusA = random.between(0, 2), radiusB = random.between(0, 2);
+    const Real separation = random.between(-1, 3);
     const Vector3 b = a + (radiusA + radiusB + separation) * direction;
     if (radiusA + radiusB + separation < 0) continue;
     GRADE(ballBall(a, radiusA, b, radiusB).separation, separation,
@@ -115,7 +115,7 @@ PROBES() {
   Random random(301);
   for (int n = 0; n < 12; ++n) {
     const Vector3 a = random.vector(2);
-    const Real radiusA = random.uniform(0.5, 1.5), radiusB = random.uniform(0.5, 1.5);
+    const Real radiusA = random.between(0.5, 1.5), radiusB = random.between(0.5, 1.5);
     PROBE(ballBall(a, radiusA, random.vector(2), radiusB));
   }
   const std::vector<RootPair> pairs = rootPairs();

@@ -3,13 +3,13 @@
 #include <limits>
 
 #include "carom/core/errors.hpp"
+#include "carom/core/random.hpp"
 #include "carom/mass/center_of_mass.hpp"
 #include "carom/mass/check_mesh.hpp"
 #include "carom/mass/inertia_tensor.hpp"
 #include "carom/mass/mass_properties.hpp"
 #include "carom/mass/meshes.hpp"
 #include "carom/mass/monte_carlo_mass.hpp"
-#include "carom/mass/random.hpp"
 #include "carom/mass/shell_centroid.hpp"
 #include "carom/mass/signed_volume.hpp"
 #include "support/catch.hpp"

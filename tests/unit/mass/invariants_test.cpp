@@ -4,12 +4,12 @@
 
 #include "carom/core/cross.hpp"
 #include "carom/core/errors.hpp"
+#include "carom/core/random.hpp"
 #include "carom/mass/center_of_mass.hpp"
 #include "carom/mass/inertia_about.hpp"
 #include "carom/mass/inertia_tensor.hpp"
 #include "carom/mass/mass_properties.hpp"
 #include "carom/mass/meshes.hpp"
-#include "carom/mass/random.hpp"
 #include "carom/mass/shell_centroid.hpp"
 #include "carom/mass/signed_volume.hpp"
 #include "carom/mass/standard_solids.hpp"

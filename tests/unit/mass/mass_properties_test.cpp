@@ -3,11 +3,11 @@
 #include <cmath>
 
 #include "carom/core/errors.hpp"
+#include "carom/core/random.hpp"
 #include "carom/mass/center_of_mass.hpp"
 #include "carom/mass/inertia_tensor.hpp"
 #include "carom/mass/mass_properties.hpp"
 #include "carom/mass/meshes.hpp"
-#include "carom/mass/random.hpp"
 #include "carom/mass/signed_volume.hpp"
 #include "carom/mass/tetrahedron_sums.hpp"
 #include "reference.hpp"

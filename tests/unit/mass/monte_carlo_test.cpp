@@ -4,10 +4,10 @@
 #include <vector>
 
 #include "carom/core/errors.hpp"
+#include "carom/core/random.hpp"
 #include "carom/mass/mass_properties.hpp"
 #include "carom/mass/meshes.hpp"
 #include "carom/mass/monte_carlo_mass.hpp"
-#include "carom/mass/random.hpp"
 #include "reference.hpp"
 #include "support/catch.hpp"
 

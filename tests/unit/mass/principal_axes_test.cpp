@@ -5,11 +5,11 @@
 
 #include "carom/core/cross.hpp"
 #include "carom/core/errors.hpp"
+#include "carom/core/random.hpp"
 #include "carom/mass/inertia_about.hpp"
 #include "carom/mass/mass_properties.hpp"
 #include "carom/mass/meshes.hpp"
 #include "carom/mass/principal_axes.hpp"
-#include "carom/mass/random.hpp"
 #include "reference.hpp"
 #include "support/catch.hpp"
 

@@ -6,9 +6,9 @@
 
 #include "carom/core/cross.hpp"
 #include "carom/core/errors.hpp"
+#include "carom/core/random.hpp"
 #include "carom/mass/check_mesh.hpp"
 #include "carom/mass/meshes.hpp"
-#include "carom/mass/random.hpp"
 #include "support/catch.hpp"
 
 using namespace carom;

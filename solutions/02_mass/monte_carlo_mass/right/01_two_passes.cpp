@@ -4,8 +4,8 @@
 
 #include "carom/core/checks.hpp"
 #include "carom/core/cross.hpp"
+#include "carom/core/random.hpp"
 #include "carom/mass/monte_carlo_mass.hpp"
-#include "carom/mass/random.hpp"
 
 namespace carom {
 namespace {

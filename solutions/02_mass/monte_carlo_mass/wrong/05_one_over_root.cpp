@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "carom/core/checks.hpp"
-#include "carom/mass/random.hpp"
+#include "carom/core/random.hpp"
 
 namespace carom {
 namespace {
