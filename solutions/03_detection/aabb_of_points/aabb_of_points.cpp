@@ -1,0 +1,32 @@
+// Exercise 03.aabb_of_points: the smallest box along the axes that holds a cloud of points.
+// Check it with: ./course check 03.aabb_of_points
+
+#include "carom/detection/aabb_of_points.hpp"
+
+#include "carom/core/checks.hpp"
+#include "carom/core/errors.hpp"
+#include "carom/core/todo.hpp"
+
+namespace carom {
+
+Aabb<3> aabbOfPoints(std::span<const Vector3> points) {
+  // Given: what is no cloud of points is refused.
+  if (points.empty()) throw InvalidInput("aabbOfPoints: there must be at least one point");
+  for (const Vector3& point : points) requireFinite(point, "point");
+  //# solution
+  // The first point is a box of size zero: all that is known so far.
+  Aabb<3> box{points.front(), points.front()};
+  for (const Vector3& point : points) {
+    for (int i = 0; i < 3; ++i) {
+      if (point(i) < box.low(i)) box.low(i) = point(i);
+      if (point(i) > box.high(i)) box.high(i) = point(i);
+    }
+  }
+  return box;
+  //# stub
+  // Aabb<3> box{low, high} makes a box; point(0), point(1), point(2) are a point's coordinates.
+  //#| return todo<Aabb<3>>("aabbOfPoints");
+  //# end
+}
+
+}  // namespace carom
