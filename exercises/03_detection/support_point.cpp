@@ -1,0 +1,18 @@
+// Exercise 03.support_point: which corner of a body lies farthest in a direction?
+// Check it with: ./course check 03.support_point
+
+#include "carom/detection/support_point.hpp"
+
+#include "carom/core/errors.hpp"
+#include "carom/core/todo.hpp"
+
+namespace carom {
+
+std::size_t supportPoint(std::span<const Vector3> points, const Vector3& direction) {
+  // Given: a body without corners is refused.
+  if (points.empty()) throw InvalidInput("supportPoint: there must be at least one point");
+  // direction.dot(points[i]) says how far point i lies in the direction. Give back i, not the point.
+  return todo<std::size_t>("supportPoint");
+}
+
+}  // namespace carom

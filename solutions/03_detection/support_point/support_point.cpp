@@ -1,0 +1,31 @@
+// Exercise 03.support_point: which corner of a body lies farthest in a direction?
+// Check it with: ./course check 03.support_point
+
+#include "carom/detection/support_point.hpp"
+
+#include "carom/core/errors.hpp"
+#include "carom/core/todo.hpp"
+
+namespace carom {
+
+std::size_t supportPoint(std::span<const Vector3> points, const Vector3& direction) {
+  // Given: a body without corners is refused.
+  if (points.empty()) throw InvalidInput("supportPoint: there must be at least one point");
+  //# solution
+  std::size_t farthest = 0;
+  Real reach = direction.dot(points[0]);
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    const Real along = direction.dot(points[i]);
+    if (along > reach) {
+      farthest = i;
+      reach = along;
+    }
+  }
+  return farthest;
+  //# stub
+  // direction.dot(points[i]) says how far point i lies in the direction. Give back i, not the point.
+  //#| return todo<std::size_t>("supportPoint");
+  //# end
+}
+
+}  // namespace carom
