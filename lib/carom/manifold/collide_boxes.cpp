@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "carom/core/variant.hpp"
 #include "carom/detection/box_axes.hpp"
 #include "carom/detection/separate_boxes.hpp"
 #include "carom/manifold/clip_loop.hpp"
 #include "carom/manifold/contact_ids.hpp"
 #include "carom/manifold/loop_manifold.hpp"
+#include "carom/manifold/plain_manifold.hpp"
 #include "carom/manifold/swap_manifold.hpp"
 
 namespace carom {
@@ -192,6 +194,9 @@ void collideOrdered(const BoxPair& pair, const BoxAxis& best, Real margin, Manif
 
 Manifold collideBoxes(const Box& a, const Pose& A, const Box& b, const Pose& B,
                       ManifoldCache* cache, Real margin) {
+  if (takesPlainPath()) {
+    return plainManifold(boxHull(a.halfExtents), A, boxHull(b.halfExtents), B, margin);
+  }
   Manifold manifold;
   WitnessAxis witness;
   if (cache != nullptr && cache->axis >= 0) {

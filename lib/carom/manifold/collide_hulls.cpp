@@ -4,11 +4,13 @@
 #include <cmath>
 
 #include "carom/core/cross.hpp"
+#include "carom/core/variant.hpp"
 #include "carom/detection/hull_axes.hpp"
 #include "carom/detection/separate_hulls.hpp"
 #include "carom/manifold/clip_loop.hpp"
 #include "carom/manifold/contact_ids.hpp"
 #include "carom/manifold/loop_manifold.hpp"
+#include "carom/manifold/plain_manifold.hpp"
 #include "carom/manifold/swap_manifold.hpp"
 
 namespace carom {
@@ -231,11 +233,13 @@ Manifold collideViews(const HullView& a, const Pose& A, const HullView& b, const
 
 Manifold collideHulls(const ConvexHull& a, const Pose& A, const ConvexHull& b, const Pose& B,
                       ManifoldCache* cache, Real margin) {
+  if (takesPlainPath()) return plainManifold(a, A, b, B, margin);
   return collideViews(detail::viewOf(a), A, detail::viewOf(b), B, cache, margin);
 }
 
 Manifold collideBoxAndHull(const Box& a, const Pose& A, const ConvexHull& b, const Pose& B,
                            ManifoldCache* cache, Real margin) {
+  if (takesPlainPath()) return plainManifold(boxHull(a.halfExtents), A, b, B, margin);
   const detail::BoxHullView box(a);
   return collideViews(box.view(), A, detail::viewOf(b), B, cache, margin);
 }

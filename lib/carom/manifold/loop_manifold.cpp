@@ -74,4 +74,21 @@ void reduceLoop(const ClipCorner* loop, const int* index, int n, int* chosen) {
   for (int k = 0; k < 4; ++k) chosen[k] = index[kept[k]];
 }
 
+void keepDeepest(const Vector3& position, Real separation, Real tolerance, std::uint32_t id,
+                 Manifold& manifold) {
+  int nearest = 0;
+  for (int k = 0; k < manifold.count; ++k) {
+    if (manifold.points[k].separation <= separation + tolerance) return;
+    const auto distance = [&](int i) {
+      return (manifold.points[i].position - position).squaredNorm();
+    };
+    if (distance(k) < distance(nearest)) nearest = k;
+  }
+  if (manifold.count == 0) manifold.areaCentroid = position;
+  ManifoldPoint& point = manifold.points[manifold.count < 4 ? manifold.count++ : nearest];
+  point.position = position;
+  point.separation = separation;
+  point.id = id;
+}
+
 }  // namespace carom::detail

@@ -85,6 +85,17 @@ inline LoopArea areaOf(const ClipCorner* loop, int count) {
 /// \ingroup manifold
 void reduceLoop(const ClipCorner* loop, const int* index, int n, int* chosen);
 
+/// Puts the deepest point of a contact among the points if none of them is as deep: beside them, or
+/// in the place of the nearest one. A manifold without points gets it as its only one.
+/// \param position of the deepest point, halfway between the surfaces [m, world]
+/// \param separation its separation [m]
+/// \param tolerance depths closer than this are equal [m]
+/// \param id its name
+/// \param manifold is changed
+/// \ingroup manifold
+void keepDeepest(const Vector3& position, Real separation, Real tolerance, std::uint32_t id,
+                 Manifold& manifold);
+
 /// Fills a manifold from a loop over a reference face.
 /// \tparam Name callable: (label before, label after) of a corner gives its id
 /// \param plane the reference plane

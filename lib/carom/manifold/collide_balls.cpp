@@ -1,0 +1,42 @@
+#include "carom/manifold/collide_balls.hpp"
+
+#include "carom/core/length.hpp"
+#include "carom/detection/closest_point.hpp"
+
+namespace carom {
+namespace {
+
+void setPoint(const Vector3& normal, const Vector3& pointOfA, Real separation, Manifold& manifold) {
+  manifold.normal = normal;
+  manifold.count = 1;
+  manifold.points[0].position = pointOfA + separation / 2 * normal;
+  manifold.points[0].separation = separation;
+  manifold.points[0].id = 0;
+  manifold.areaCentroid = manifold.points[0].position;
+}
+
+}  // namespace
+
+Manifold collideBalls(const Ball& a, const Pose& A, const Ball& b, const Pose& B, Real margin) {
+  Manifold manifold;
+  const Vector3 between = B.p_WB - A.p_WB;
+  const Real distance = length(between);
+  const Real separation = distance - (a.radius + b.radius);
+  if (separation > margin) return manifold;
+  const Vector3 normal = distance > 0 ? Vector3(between / distance) : Vector3(Vector3::UnitZ());
+  setPoint(normal, A.p_WB + a.radius * normal, separation, manifold);
+  return manifold;
+}
+
+Manifold collideWithBall(const ConvexShape& a, const Pose& A, const Ball& b, const Pose& B,
+                         Real margin) {
+  if (const Ball* ball = std::get_if<Ball>(&a)) return collideBalls(*ball, A, b, B, margin);
+  Manifold manifold;
+  const SurfacePoint nearest = closestPoint(a, A, B.p_WB);
+  const Real separation = nearest.distance - b.radius;
+  if (separation > margin) return manifold;
+  setPoint(nearest.normal, nearest.point, separation, manifold);
+  return manifold;
+}
+
+}  // namespace carom
