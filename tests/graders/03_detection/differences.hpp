@@ -6,6 +6,7 @@
 // or farthest from it. Here the facets are found by trying all pairs (in space: triples) of
 // differences, which knows nothing of faces and edges, and is far too slow for anything else.
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <span>
@@ -38,7 +39,7 @@ struct BestGap {
   }
 };
 
-/// Planar figures, corners in any order.
+/// Planar figures, corners in any order. Each axis is tried both ways round.
 inline BestGap bestGap(std::span<const Vector2> a, std::span<const Vector2> b) {
   std::vector<Vector2> d;
   for (const Vector2& p : a) {
@@ -53,14 +54,21 @@ inline BestGap bestGap(std::span<const Vector2> a, std::span<const Vector2> b) {
       const Vector2 outward(side.y() / length, -side.x() / length);
       const Real height = outward.dot(d[i]);
       bool facet = true;
-      for (const Vector2& p : d) facet = facet && outward.dot(p) <= height + 1e-9;
-      if (facet) best.offer(-height, {-outward.x(), -outward.y(), 0});
+      Real lowest = height;
+      for (const Vector2& p : d) {
+        facet = facet && outward.dot(p) <= height + 1e-9;
+        lowest = std::min(lowest, outward.dot(p));
+      }
+      if (!facet) continue;
+      best.offer(-height, {-outward.x(), -outward.y(), 0});
+      best.offer(lowest, {outward.x(), outward.y(), 0});
     }
   }
   return best;
 }
 
-/// Solids, corners in any order.
+/// Solids, corners in any order. The gap is the largest of all axes if it is negative. If they are
+/// apart it is positive, but then other axes may show a larger one.
 inline BestGap bestGap(std::span<const Vector3> a, std::span<const Vector3> b) {
   std::vector<Vector3> d;
   for (const Vector3& p : a) {

@@ -1,0 +1,22 @@
+// Exercise 03.convex_parts: figures that are not convex, cut into parts that are.
+// Check it with: ./course check 03.convex_parts
+
+#include "carom/detection/convex_parts.hpp"
+
+#include "carom/core/errors.hpp"
+#include "carom/core/todo.hpp"
+#include "carom/detection/sat_polygons.hpp"
+
+namespace carom {
+
+Verdict convexParts(std::span<const std::vector<Vector2>> partsA,
+                    std::span<const std::vector<Vector2>> partsB) {
+  // Given: a figure without parts is refused.
+  if (partsA.empty() || partsB.empty()) {
+    throw InvalidInput("convexParts: a figure must have at least one part");
+  }
+  // satPolygons(partA, partB).verdict is the verdict on two convex polygons.
+  return todo<Verdict>("convexParts");
+}
+
+}  // namespace carom

@@ -1,0 +1,25 @@
+// Exercise 03.convex_parts: figures that are not convex, cut into parts that are.
+// Check it with: ./course check 03.convex_parts
+
+#include "carom/detection/convex_parts.hpp"
+
+#include "carom/core/errors.hpp"
+#include "carom/detection/sat_polygons.hpp"
+
+namespace carom {
+
+Verdict convexParts(std::span<const std::vector<Vector2>> partsA,
+                    std::span<const std::vector<Vector2>> partsB) {
+  if (partsA.empty() || partsB.empty()) {
+    throw InvalidInput("convexParts: a figure must have at least one part");
+  }
+  Verdict verdict = Verdict::separated;
+  for (std::size_t i = 0; i < partsA.size() && i < partsB.size(); ++i) {
+    const Verdict pair = satPolygons(partsA[i], partsB[i]).verdict;
+    if (pair == Verdict::overlapping) return Verdict::overlapping;
+    if (pair == Verdict::touching) verdict = Verdict::touching;
+  }
+  return verdict;
+}
+
+}  // namespace carom

@@ -1,0 +1,23 @@
+// Exercise 03.convex_parts: figures that are not convex, cut into parts that are.
+// Check it with: ./course check 03.convex_parts
+
+#include "carom/detection/convex_parts.hpp"
+
+#include "carom/core/errors.hpp"
+#include "carom/detection/sat_polygons.hpp"
+
+namespace carom {
+
+Verdict convexParts(std::span<const std::vector<Vector2>> partsA,
+                    std::span<const std::vector<Vector2>> partsB) {
+  if (partsA.empty() || partsB.empty()) {
+    throw InvalidInput("convexParts: a figure must have at least one part");
+  }
+  std::vector<Vector2> a;
+  for (const std::vector<Vector2>& part : partsA) a.insert(a.end(), part.begin(), part.end());
+  std::vector<Vector2> b;
+  for (const std::vector<Vector2>& part : partsB) b.insert(b.end(), part.begin(), part.end());
+  return satPolygons(a, b).verdict;
+}
+
+}  // namespace carom
