@@ -21,7 +21,8 @@ namespace {
 }  // namespace
 
 SeparatingAxis satBoxes(const Box& a, const Pose& A, const Box& b, const Pose& B) {
-  const Vector3 between = B.p_WB - A.p_WB;  // from centre to centre
+  // Given: from centre to centre.
+  [[maybe_unused]] const Vector3 between = B.p_WB - A.p_WB;
   SeparatingAxis best;
   best.separation = -std::numeric_limits<Real>::infinity();
   // Given: a pair of edges must be better than the faces by more than this.

@@ -19,7 +19,7 @@ namespace {
 }  // namespace
 
 SeparatingAxis satBoxes(const Box& a, const Pose& A, const Box& b, const Pose& B) {
-  const Vector3 between = B.p_WB - A.p_WB;  // from centre to centre
+  [[maybe_unused]] const Vector3 between = B.p_WB - A.p_WB;
   SeparatingAxis best;
   best.separation = -std::numeric_limits<Real>::infinity();
   [[maybe_unused]] const Real tie = kAxisTie * (a.halfExtents.norm() + b.halfExtents.norm());
