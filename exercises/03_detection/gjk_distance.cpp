@@ -1,0 +1,36 @@
+// Exercise 03.gjk_distance: how far apart are two bodies of which only the corners are known?
+// Check it with: ./course check 03.gjk_distance
+
+#include "carom/detection/gjk_distance.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include "carom/core/checks.hpp"
+#include "carom/core/todo.hpp"
+#include "carom/detection/simplex.hpp"
+#include "carom/detection/support_point.hpp"
+
+namespace carom {
+namespace {
+
+// Given: puts the difference of a corner of A and a corner of B into a simplex.
+[[maybe_unused]] void add(Simplex<3>& simplex, const Vector3& cornerA, const Vector3& cornerB) {
+  simplex.vertices[static_cast<std::size_t>(simplex.count++)] = {cornerA - cornerB, cornerA,
+                                                                 cornerB, -1, -1};
+}
+
+}  // namespace
+
+PointDistance gjkDistance(std::span<const Vector3> a, std::span<const Vector3> b) {
+  // Given: what is no body is refused.
+  if (a.empty() || b.empty()) throw InvalidInput("gjkDistance: a body must have a corner");
+  for (const Vector3& point : a) requireFinite(point, "corner of A");
+  for (const Vector3& point : b) requireFinite(point, "corner of B");
+  // Simplex<3> simplex; starts empty. closestToOrigin(simplex) gives its point nearest to the
+  // origin and drops the corners that do not matter; four that remain hold the origin inside.
+  // witnessPoints(simplex, result.pointA, result.pointB) mixes the points of A and B.
+  return todo<PointDistance>("gjkDistance");
+}
+
+}  // namespace carom
