@@ -38,7 +38,7 @@ PointDistance gjkDistance(std::span<const Vector3> a, std::span<const Vector3> b
 
     nearest = closestToOrigin(simplex);
     // No nearer than before: what could be reached has been reached.
-    if (!(nearest.norm() < std::sqrt(bestSquared) - 1e-6)) break;
+    if (!(nearest.norm() < std::sqrt(bestSquared) - 1e-5)) break;
     best = simplex;
     bestSquared = nearest.squaredNorm();
     // The origin is in the simplex: the bodies have a common point.
