@@ -1,0 +1,115 @@
+// Grader of 04.orient_normal: bodies at one end of a beam, on both sides of a wall, and clouds that
+// have been placed at a known end of each other.
+
+#include "carom/manifold/orient_normal.hpp"
+
+#include <cmath>
+
+#include "grading/fields_manifold.hpp"
+#include "grading/grade.hpp"
+
+using namespace carom;
+using namespace carom::grading;
+
+namespace {
+
+constexpr const char* kExact = "the axis itself or its opposite, copied";
+
+using Points = std::vector<Vector3>;
+
+Points box(const Vector3& low, const Vector3& high) {
+  Points all;
+  for (int n = 0; n < 8; ++n) {
+    all.push_back(
+        {n & 1 ? high.x() : low.x(), n & 2 ? high.y() : low.y(), n & 4 ? high.z() : low.z()});
+  }
+  return all;
+}
+
+const Points cube = box({-1, -1, -1}, {1, 1, 1});
+
+// A cloud whose shadow on a direction is exactly what is wanted: two points at the ends, the others
+// between them.
+Points between(Random& random, const Vector3& unit, Real low, Real high) {
+  Points all;
+  for (int k = 0; k < 6; ++k) {
+    const Vector3 p = random.vector(3);
+    Real along = low + (high - low) * random.between(0.1, 0.9);
+    if (k == 2) along = low;
+    if (k == 4) along = high;
+    all.push_back(p + (along - p.dot(unit)) * unit);
+  }
+  return all;
+}
+
+void askBoth(const Vector3& axis, const Points& a, const Points& b, const Vector3& expected,
+             const char* what) {
+  for (const Real sign : {1.0, -1.0}) {
+    const Vector3 handed = sign * axis;
+    GRADE(orientNormal(handed, a, b), expected, within(0, kExact), given("axis", handed),
+          given("a", a, "m"), given("b", b, "m"), about(what));
+  }
+}
+
+}  // namespace
+
+TEST_CASE("sides") {
+  askBoth({1, 0, 0}, cube, box({0.75, -1, -1}, {2.75, 1, 1}), {1, 0, 0}, "B is on the right");
+  askBoth({0, 0, 1}, cube, box({-1, -1, -2.5}, {1, 1, -0.5}), {0, 0, -1}, "B hangs below A");
+  askBoth({0, 3, 0}, cube, box({-1, 2, -1}, {1, 3, 1}), {0, 3, 0},
+          "B is apart from A; the axis is not of length one, and need not be");
+}
+
+TEST_CASE("centres") {
+  // The centre of the beam is far to the right of the cube's centre, but its left end is what is in
+  // the cube's left side.
+  askBoth({1, 0, 0}, box({-10, 0, 0}, {10, 1, 1}), box({-10.25, 0, 0}, {-9, 1, 1}), {-1, 0, 0},
+          "a beam, and a box at its left end");
+  askBoth({0, 1, 0}, box({0, -1, 0}, {1, 1, 1}), box({-1, -2, 0}, {2, 0.5, 1}), {0, -1, 0},
+          "B reaches farther down than A");
+  askBoth({1, 0, 0}, {{-1, -1, 0}, {-1, 1, 0}, {-1, 0, 1}, {9, 0, 0}},
+          {{-0.75, -1, 0}, {-0.75, 1, 0}, {-0.75, 0, 1}, {-3, 0, 0}, {-3, 0.5, 0.5}}, {-1, 0, 0},
+          "a long needle to the right, and a body at its thick end");
+  // Corners crowd at one end: their mean lies on the wrong side.
+  askBoth({0, 0, 1}, {{0, 0, -4}, {1, 0, 2}, {0, 1, 2}, {-1, 0, 2}, {0, -1, 2}, {0.5, 0.5, 2}},
+          {{0, 0, 6}, {1, 0, 1.75}, {0, 1, 1.75}, {-1, 0, 1.75}, {0.5, 0.5, 1.75}, {0, -1, 1.75}},
+          {0, 0, 1}, "bodies whose corners crowd at one end");
+}
+
+TEST_CASE("inside") {
+  askBoth({1, 0, 0}, cube, box({0.25, -0.25, -0.25}, {0.75, 0.25, 0.25}), {1, 0, 0},
+          "B wholly inside A, near its right side");
+  askBoth({1, 0, 0}, box({0.25, -0.25, -0.25}, {0.75, 0.25, 0.25}), cube, {-1, 0, 0},
+          "A wholly inside B, near its right side");
+  GRADE(orientNormal({0, -2, 0}, cube, cube), Vector3(0, -2, 0), within(0, kExact),
+        given("axis", Vector3(0, -2, 0)), given("a", "the cube [-1,1]^3"),
+        given("b", "the same cube"), about("both ways are equally long: the axis keeps its own"));
+}
+
+TEST_CASE("any") {
+  Random random(seed());
+  for (int n = 0; n < 20; ++n) {
+    const Vector3 unit = random.direction();
+    const Real highA = random.between(-3, 3), lowA = highA - random.between(1, 9);
+    const Real depth = random.between(0.05, 0.4);
+    const Points a = between(random, unit, lowA, highA);
+    const Points b = between(random, unit, highA - depth, highA + random.between(0.5, 9));
+    const Vector3 axis = random.between(0.3, 3) * unit;
+    askBoth(axis, a, b, axis, "B begins just before A ends");
+  }
+}
+
+TEST_CASE("refuses") {
+  GRADE_REFUSES(orientNormal({1, 0, 0}, Points{}, cube), about("a body without corners"));
+}
+
+PROBES() {
+  Random random(402);
+  for (int n = 0; n < 28; ++n) {
+    const Vector3 unit = random.direction();
+    const Points a = between(random, unit, random.between(-6, 0), random.between(1, 6));
+    const Points b = between(random, unit, random.between(-6, 0), random.between(1, 6));
+    PROBE(orientNormal(unit, a, b));
+  }
+  PROBE(orientNormal({0, -2, 0}, cube, cube));
+}
