@@ -70,7 +70,10 @@ struct Closest {
     if (past > 0 && above > 0) {
       Vector3 rim = cylinder.radius * radial;
       rim.z() = up * cylinder.halfHeight;
-      return aroundCore(x, rim, 0, radial);
+      // In the plane of the axis and the point, so that rounding cannot turn it along the rim.
+      const Vector3 way = past * radial + above * up * Vector3::UnitZ();
+      const Real distance = length(way);
+      return {distance, rim, way / distance};
     }
     if (past > above) {
       Vector3 wall = cylinder.radius * radial;
@@ -114,6 +117,7 @@ struct Closest {
           hull.halfEdges[static_cast<std::size_t>(side)].origin)];
     };
     Vector3 best = vertex(0);
+    Vector3 along = Vector3::Zero();  // of the edge, if its inside is nearest
     Real squared = kInfinity;
     for (const HullFace& face : hull.faces) {
       const Real over = face.normal.dot(x) - face.offset;
@@ -128,11 +132,17 @@ struct Closest {
         if ((x - point).squaredNorm() < squared) {
           squared = (x - point).squaredNorm();
           best = point;
+          along = point != a && point != b ? Vector3((b - a).normalized()) : Vector3::Zero();
         }
       }
       if (above) return {over, x - over * face.normal, face.normal};
     }
-    return aroundCore(x, best, 0, fallback);
+    // What a tiny gap leans along its edge is rounding; one of the size of rounding has no direction.
+    Vector3 gap = x - best;
+    gap -= gap.dot(along) * along;
+    const Real distance = length(gap);
+    const Real noise = 8 * std::numeric_limits<Real>::epsilon() * best.cwiseAbs().maxCoeff();
+    return {distance, best, distance > noise ? Vector3(gap / distance) : fallback};
   }
 };
 
@@ -249,6 +259,26 @@ struct PlanarHolds {
 };
 
 }  // namespace
+
+namespace detail {
+
+SurfacePoint closestInBody(const Ball& ball, const Vector3& x) {
+  return Closest{x}(ball);
+}
+SurfacePoint closestInBody(const Box& box, const Vector3& x) {
+  return Closest{x}(box);
+}
+SurfacePoint closestInBody(const Capsule& capsule, const Vector3& x) {
+  return Closest{x}(capsule);
+}
+SurfacePoint closestInBody(const Cylinder& cylinder, const Vector3& x) {
+  return Closest{x}(cylinder);
+}
+SurfacePoint closestInBody(const ConvexHull& hull, const Vector3& x) {
+  return Closest{x}(hull);
+}
+
+}  // namespace detail
 
 SurfacePoint closestPoint(const Shape& shape, const Pose& pose, const Vector3& point) {
   const Vector3 local = pointToBody(pose, point);

@@ -62,4 +62,23 @@ bool contains(const Shape& shape, const Pose& pose, const Vector3& point);
 /// \ingroup detection
 bool contains(const PlanarShape& shape, const PlanarPose& pose, const Vector2& point);
 
+namespace detail {
+
+/// closestPoint() of a ball in its own frame. \param ball the ball \param x point [m, body]
+/// \return nearest point of the surface [body]
+SurfacePoint closestInBody(const Ball& ball, const Vector3& x);
+/// closestPoint() of a box in its own frame. \param box the box \param x point [m, body]
+/// \return nearest point of the surface [body]
+SurfacePoint closestInBody(const Box& box, const Vector3& x);
+/// closestPoint() of a capsule in its own frame. \param capsule the capsule
+/// \param x point [m, body] \return nearest point of the surface [body]
+SurfacePoint closestInBody(const Capsule& capsule, const Vector3& x);
+/// closestPoint() of a cylinder in its own frame. \param cylinder the cylinder
+/// \param x point [m, body] \return nearest point of the surface [body]
+SurfacePoint closestInBody(const Cylinder& cylinder, const Vector3& x);
+/// closestPoint() of a hull in its own frame. \param hull the hull \param x point [m, body]
+/// \return nearest point of the surface [body]
+SurfacePoint closestInBody(const ConvexHull& hull, const Vector3& x);
+
+}  // namespace detail
 }  // namespace carom

@@ -1,5 +1,6 @@
 #include "carom/detection/simplex.hpp"
 
+#include <algorithm>
 #include <limits>
 
 #include "carom/core/cross.hpp"
@@ -48,8 +49,8 @@ void keepNearer(Nearest<Dim>& best, const Nearest<Dim>& other) {
   if (other.squared < best.squared) best = other;
 }
 
-// Below this sine an angle of a triangle (or the relative volume of a tetrahedron) says nothing about
-// on which side the origin lies: rounding has eaten half of its digits.
+// Below this sine an angle of a triangle (or the relative volume of a tetrahedron) is no judge of on
+// which side the origin lies: rounding has eaten half of its digits.
 constexpr Real kFlat = 0x1p-26;
 
 Nearest<3> onTriangle(const Simplex<3>& simplex, int i, int j, int k) {
@@ -60,12 +61,16 @@ Nearest<3> onTriangle(const Simplex<3>& simplex, int i, int j, int k) {
   // Areas over the edges opposite to a and b, of the origin's shadow on the plane.
   const Real ofA = normal.dot(cross(v, c)), ofB = normal.dot(cross(c, u));
   const Real ofC = whole - ofA - ofB;
-  const bool flat = !(whole > kFlat * kFlat * u.squaredNorm() * v.squaredNorm());
+  // Its smallest height against its sides, and against the coordinates, whose rounding error the
+  // sides carry: on curved bodies GJK ends with triangles a millionth of the body in size.
+  const Real longest = std::max(u.squaredNorm(), v.squaredNorm());
+  const bool flat = !(whole > kFlat * kFlat * longest * std::max(longest, c.squaredNorm()));
   Nearest<3> best;
   if (ofA > 0 && ofB > 0 && ofC > 0) {
     const std::array<Real, 4> weights = {ofA / whole, ofB / whole, ofC / whole};
-    const Vector3 point = flat ? (weights[0] * a + weights[1] * b + weights[2] * c).eval()
-                               : ((normal.dot(c) / whole) * normal).eval();
+    // Mixed from the corners, and not projected onto the plane: the normal of a thin triangle leans,
+    // and its projection would be nearer than any point of the triangle is.
+    const Vector3 point = weights[0] * a + weights[1] * b + weights[2] * c;
     best = {point, point.squaredNorm(), {i, j, k}, weights, 3};
     if (!flat) return best;
   }
@@ -85,8 +90,12 @@ Nearest<3> onTetrahedron(const Simplex<3>& simplex) {
   const Real sign = whole < 0 ? -1 : 1;
   const Real ofA = -sign * d.dot(bc), ofB = -sign * d.dot(ca), ofC = -sign * d.dot(ab);
   const Real one = sign * whole, ofD = one - ofA - ofB - ofC;
+  // As for triangles: against its sides, and the height over its largest side against rounding.
+  constexpr Real kRounding = 0x1p-46;
+  const Real largest = std::max({bc.squaredNorm(), ca.squaredNorm(), ab.squaredNorm()});
   const bool flat =
-      !(whole * whole > kFlat * kFlat * a.squaredNorm() * b.squaredNorm() * c.squaredNorm());
+      !(whole * whole > kFlat * kFlat * a.squaredNorm() * b.squaredNorm() * c.squaredNorm()) ||
+      !(whole * whole > kRounding * kRounding * largest * d.squaredNorm());
   const bool inside = ofA > 0 && ofB > 0 && ofC > 0 && ofD > 0;
   if (inside && !flat) {
     return {Vector3::Zero(), 0, {0, 1, 2, 3}, {ofA / one, ofB / one, ofC / one, ofD / one}, 4};
