@@ -7,6 +7,7 @@
 #include "carom/core/cross.hpp"
 #include "carom/core/real.hpp"
 
+/// Bodies for counting verdicts without rounding.
 namespace grid_bodies {
 
 using carom::Real;
@@ -15,7 +16,9 @@ using carom::Vector3;
 /// Knuth's linear congruential generator (the constants of MMIX).
 class Draws {
  public:
+  /// Starts the numbers. \param seed any number; the same seed gives the same numbers
   explicit Draws(std::uint64_t seed) : state_(seed) {}
+  /// The next number. \param bound more than zero \return a whole number from 0 to bound - 1
   Real below(std::uint64_t bound) {
     state_ = 6364136223846793005u * state_ + 1442695040888963407u;
     return static_cast<Real>((state_ >> 33) % bound);
@@ -25,13 +28,19 @@ class Draws {
   std::uint64_t state_;
 };
 
+/// A triangle with z = 0, or a tetrahedron.
 struct Body {
-  std::vector<Vector3> corners, normals, edges;
+  std::vector<Vector3> corners;  ///< [m]
+  std::vector<Vector3> normals;  ///< of faces (of a triangle: of edges), any length, in or out
+  std::vector<Vector3> edges;    ///< as vectors [m]
+
+  /// Is it a triangle? \return true for a triangle
   bool flat() const {
     return corners.size() == 3;
   }
 };
 
+/// A triangle on a grid of 16 by 16 points. \param draws the numbers \return the triangle
 inline Body triangle(Draws& draws) {
   Body body;
   for (int i = 0; i < 3; ++i) {
@@ -45,6 +54,8 @@ inline Body triangle(Draws& draws) {
   return body;
 }
 
+/// A tetrahedron on a grid of 8 by 8 by 8 points. \param draws the numbers
+/// \return the tetrahedron
 inline Body tetrahedron(Draws& draws) {
   Body body;
   for (int i = 0; i < 4; ++i) {
@@ -60,7 +71,7 @@ inline Body tetrahedron(Draws& draws) {
   return body;
 }
 
-/// Bodies without an inside are left out.
+/// Has a body an inside? Those without one are left out. \param body any \return true if it has
 inline bool solid(const Body& body) {
   if (body.flat()) return carom::cross(body.edges[0], body.edges[1]).z() != 0;
   return body.normals[0].dot(body.edges[2]) != 0;
