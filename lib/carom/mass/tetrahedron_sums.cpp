@@ -6,6 +6,7 @@
 #include <cstring>
 #include <limits>
 
+#include "carom/mass/four_double_doubles.hpp"
 #include "carom/mass/four_lanes.hpp"
 
 namespace carom {
@@ -96,8 +97,17 @@ CAROM_INLINE Two two(const Real* first) {
   return result;
 }
 
+// a - b, rounded or exactly.
+CAROM_INLINE void subtract(Four& result, const Four& a, const Four& b) {
+  result = a - b;
+}
+CAROM_INLINE void subtract(FourDoubleDoubles& result, const Four& a, const Four& b) {
+  result = twoSums(a, -b);
+}
+
 // One corner of four triangles, relative to the origin.
-CAROM_INLINE void gather(Point<Four>& corner, const Real* vertices, const std::int32_t* index,
+template <class S>
+CAROM_INLINE void gather(Point<S>& corner, const Real* vertices, const std::int32_t* index,
                          const Point<Four>& origin) {
   const Real* p = vertices + 3 * std::size_t(index[0]);
   const Real* q = vertices + 3 * std::size_t(index[3]);
@@ -107,13 +117,26 @@ CAROM_INLINE void gather(Point<Four>& corner, const Real* vertices, const std::i
   // x and y of a vertex are loaded together; picking them apart is less work than loading each.
   const Four pr = __builtin_shufflevector(two(p), two(r), 0, 1, 2, 3);
   const Four qs = __builtin_shufflevector(two(q), two(s), 0, 1, 2, 3);
-  corner.x = __builtin_shufflevector(pr, qs, 0, 4, 2, 6) - origin.x;
-  corner.y = __builtin_shufflevector(pr, qs, 1, 5, 3, 7) - origin.y;
+  subtract(corner.x, __builtin_shufflevector(pr, qs, 0, 4, 2, 6), origin.x);
+  subtract(corner.y, __builtin_shufflevector(pr, qs, 1, 5, 3, 7), origin.y);
 #else
-  corner.x = Four{p[0], q[0], r[0], s[0]} - origin.x;
-  corner.y = Four{p[1], q[1], r[1], s[1]} - origin.y;
+  subtract(corner.x, Four{p[0], q[0], r[0], s[0]}, origin.x);
+  subtract(corner.y, Four{p[1], q[1], r[1], s[1]}, origin.y);
 #endif
-  corner.z = Four{p[2], q[2], r[2], s[2]} - origin.z;
+  subtract(corner.z, Four{p[2], q[2], r[2], s[2]}, origin.z);
+}
+
+// Adds the tetrahedra of four triangles.
+template <class S>
+CAROM_INLINE void addFour(TetrahedronSums<S>& sums, const Arrays& mesh, const std::int32_t* index,
+                          const Point<Four>& origin) {
+  Point<S> a;
+  Point<S> b;
+  Point<S> c;
+  gather(a, mesh.vertices, index, origin);
+  gather(b, mesh.vertices, index + 1, origin);
+  gather(c, mesh.vertices, index + 2, origin);
+  addTetrahedron(sums, a, b, c);
 }
 
 // True if every index names a vertex: neither it nor its distance to the last one is negative. In
@@ -138,13 +161,7 @@ CAROM_INLINE bool sumFours(const Arrays& mesh, const Point<Four>& origin,
     if (!inRange(index, index + 3 * kLanes * count, mesh.lastVertex)) return false;
     TetrahedronSums<Four> sums;
     for (std::size_t i = 0; i < count; ++i, index += 3 * kLanes) {
-      Point<Four> a;
-      Point<Four> b;
-      Point<Four> c;
-      gather(a, mesh.vertices, index, origin);
-      gather(b, mesh.vertices, index + 1, origin);
-      gather(c, mesh.vertices, index + 2, origin);
-      addTetrahedron(sums, a, b, c);
+      addFour(sums, mesh, index, origin);
     }
     forEachSum(
         [](Four & t, Four & e, const Four& s)
@@ -178,6 +195,41 @@ bool sumFoursBest(const Arrays& mesh, const Point<Four>& origin, TetrahedronSums
   if (lanesOfThisMachine() == Lanes::avx2) return sumFoursAvx2(mesh, origin, total, error);
 #endif
   return sumFoursBaseline(mesh, origin, total, error);
+}
+
+// The sums over all whole fours with twice the digits; the indices have been checked.
+CAROM_INLINE void sumFoursExactly(const Arrays& mesh, const Point<Four>& origin,
+                                  TetrahedronSums<FourDoubleDoubles>& sums) {
+  const std::int32_t* const end = mesh.triangles + 3 * kLanes * (mesh.triangleCount / kLanes);
+  for (const std::int32_t* index = mesh.triangles; index != end; index += 3 * kLanes) {
+    addFour(sums, mesh, index, origin);
+  }
+}
+
+void sumFoursExactlyBaseline(const Arrays& mesh, const Point<Four>& origin,
+                             TetrahedronSums<FourDoubleDoubles>& sums) {
+  sumFoursExactly(mesh, origin, sums);
+}
+
+#if CAROM_HAS_TWINS
+CAROM_AVX2 void sumFoursExactlyAvx2(const Arrays& mesh, const Point<Four>& origin,
+                                    TetrahedronSums<FourDoubleDoubles>& sums) {
+  sumFoursExactly(mesh, origin, sums);
+}
+
+CAROM_AVX512 void sumFoursExactlyAvx512(const Arrays& mesh, const Point<Four>& origin,
+                                        TetrahedronSums<FourDoubleDoubles>& sums) {
+  sumFoursExactly(mesh, origin, sums);
+}
+#endif
+
+void sumFoursExactlyBest(const Arrays& mesh, const Point<Four>& origin,
+                         TetrahedronSums<FourDoubleDoubles>& sums) {
+#if CAROM_HAS_TWINS
+  if (lanesOfThisMachine() == Lanes::avx512) return sumFoursExactlyAvx512(mesh, origin, sums);
+  if (lanesOfThisMachine() == Lanes::avx2) return sumFoursExactlyAvx2(mesh, origin, sums);
+#endif
+  sumFoursExactlyBaseline(mesh, origin, sums);
 }
 
 Arrays arraysOf(const TriangleMesh& mesh) {
@@ -229,17 +281,26 @@ TetrahedronSums<Real> sumTetrahedra(const TriangleMesh& mesh, const Vector3& ori
 TetrahedronSums<DoubleDouble> sumTetrahedraExactly(const TriangleMesh& mesh,
                                                    const Vector3& origin) {
   requireUsable(mesh);
+  const Point<Four> corner{Four{} + origin.x(), Four{} + origin.y(), Four{} + origin.z()};
+  TetrahedronSums<FourDoubleDoubles> fours;
+  sumFoursExactlyBest(arraysOf(mesh), corner, fours);
+
+  // The last one to three triangles, and the four lanes.
   TetrahedronSums<DoubleDouble> sums;
-  for (const auto& triangle : mesh.triangles) {
+  for (std::size_t t = mesh.triangles.size() / kLanes * kLanes; t < mesh.triangles.size(); ++t) {
     Point<DoubleDouble> corners[3];
     for (std::size_t k = 0; k < 3; ++k) {
       // The difference of two doubles is exact as two doubles.
-      const Vector3& vertex = mesh.vertices[std::size_t(triangle[k])];
+      const Vector3& vertex = mesh.vertices[std::size_t(mesh.triangles[t][k])];
       corners[k] = {exactDifference(vertex.x(), origin.x()),
                     exactDifference(vertex.y(), origin.y()),
                     exactDifference(vertex.z(), origin.z())};
     }
     addTetrahedron(sums, corners[0], corners[1], corners[2]);
+  }
+  for (std::size_t lane = 0; lane < kLanes; ++lane) {
+    forEachSum([lane](DoubleDouble& s, const FourDoubleDoubles& f) { s += f.lane(lane); }, sums,
+               fours);
   }
   complete(sums);
   return sums;
