@@ -1,5 +1,5 @@
-// Grader of 04.orient_normal: bodies at one end of a beam, on both sides of a wall, and clouds that
-// have been placed at a known end of each other.
+// Grader of 04.orient_normal: bodies on either side, a nail whose weight is in its head, and clouds
+// that have been placed at a known end of each other.
 
 #include "carom/manifold/orient_normal.hpp"
 
@@ -61,19 +61,19 @@ TEST_CASE("sides") {
 }
 
 TEST_CASE("centres") {
-  // The centre of the beam is far to the right of the cube's centre, but its left end is what is in
-  // the cube's left side.
-  askBoth({1, 0, 0}, box({-10, 0, 0}, {10, 1, 1}), box({-10.25, 0, 0}, {-9, 1, 1}), {-1, 0, 0},
-          "a beam, and a box at its left end");
-  askBoth({0, 1, 0}, box({0, -1, 0}, {1, 1, 1}), box({-1, -2, 0}, {2, 0.5, 1}), {0, -1, 0},
-          "B reaches farther down than A");
-  askBoth({1, 0, 0}, {{-1, -1, 0}, {-1, 1, 0}, {-1, 0, 1}, {9, 0, 0}},
-          {{-0.75, -1, 0}, {-0.75, 1, 0}, {-0.75, 0, 1}, {-3, 0, 0}, {-3, 0.5, 0.5}}, {-1, 0, 0},
-          "a long needle to the right, and a body at its thick end");
+  // A nail of 10 m with its head at x = 1 m, and a body that is 4 m behind the head's front.
+  const Points nail = {{-9, 0, 0}, {1, -1, -1}, {1, 1, -1}, {1, 0, 1}};
+  const Points wedge = {{-3, -1, 0}, {-3, 1, 0}, {-3, 0, 1}, {-1, 0, 0}};
+  askBoth({1, 0, 0}, nail, wedge, {1, 0, 0},
+          "a nail with its head on the right: B is 4 m from coming out there, and 8 m at the tip");
+  askBoth({1, 0, 0}, wedge, nail, {-1, 0, 0}, "the same two, with A and B exchanged");
   // Corners crowd at one end: their mean lies on the wrong side.
-  askBoth({0, 0, 1}, {{0, 0, -4}, {1, 0, 2}, {0, 1, 2}, {-1, 0, 2}, {0, -1, 2}, {0.5, 0.5, 2}},
-          {{0, 0, 6}, {1, 0, 1.75}, {0, 1, 1.75}, {-1, 0, 1.75}, {0.5, 0.5, 1.75}, {0, -1, 1.75}},
-          {0, 0, 1}, "bodies whose corners crowd at one end");
+  askBoth({0, 0, 1}, {{1, 0, 2}, {0, 0, -4}, {0, 1, 2}, {-1, 0, 2}, {0, -1, 2}, {0.5, 0.5, 2}},
+          {{1, 0, 0}, {0, 0, 1}, {0, 1, 0}, {-1, 0, 0}, {0.5, 0.5, 0}, {0, -1, 0}}, {0, 0, 1},
+          "bodies whose corners crowd at one end");
+  askBoth({0, 2, 0}, {{0, -3, 0}, {1, -3, 0}, {0, -3, 1}, {0, 5, 0}, {0.2, -3, 0.2}},
+          {{0.5, 0, 0}, {0, 0, 0.5}, {0, -1, 0}, {0, 0, 0}, {0.2, 0, 0.2}}, {0, -2, 0},
+          "bodies whose corners crowd at one end, along y");
 }
 
 TEST_CASE("inside") {
