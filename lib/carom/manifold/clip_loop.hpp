@@ -56,6 +56,8 @@ inline int clipLoop(const ClipCorner* in, int count, std::int32_t label, const V
     }
     height = next;
   }
+  // A loop that is only a line is cut twice at the same place.
+  if (kept > 1 && out[kept - 1].x == out[0].x && out[kept - 1].y == out[0].y) --kept;
   return kept;
 }
 

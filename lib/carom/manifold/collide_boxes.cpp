@@ -40,8 +40,9 @@ std::uint32_t idOf(bool referenceIsFirst, std::uint32_t reference, std::uint32_t
 }
 
 // Clips the face of the incident box that looks at the reference face, and fills the manifold.
-// `face` is 0-2 for A, 3-5 for B; `normal` points from A to B; with `mustTouch` there is a point.
-void fillFromFaces(const BoxPair& pair, int face, const Vector3& normal, Real limit, bool mustTouch,
+// `face` is 0-2 for A, 3-5 for B; `normal` points from A to B; `alongFace` says that it is that
+// face's own, and then there is a point.
+void fillFromFaces(const BoxPair& pair, int face, const Vector3& normal, bool alongFace, Real limit,
                    Manifold& manifold) {
   const bool ofA = face < 3;
   const int r = ofA ? face : face - 3;
@@ -64,29 +65,39 @@ void fillFromFaces(const BoxPair& pair, int face, const Vector3& normal, Real li
 
   // Its centre and half edges in the reference plane (x, y) and above it.
   const Vector3 center = place + towards * hi[j] * M.col(j);
-  const Real cx = center[k1], cy = center[k2], ch = side * center[r] - h[r];
-  const Real e1x = hi[j1] * M(k1, j1), e1y = hi[j1] * M(k2, j1), e1h = side * hi[j1] * M(r, j1);
-  const Real e2x = hi[j2] * M(k1, j2), e2y = hi[j2] * M(k2, j2), e2h = side * hi[j2] * M(r, j2);
-  ClipCorner first[12] = {{cx + e1x + e2x, cy + e1y + e2y, ch + e1h + e2h, 0},
-                          {cx - e1x + e2x, cy - e1y + e2y, ch - e1h + e2h, 1},
-                          {cx - e1x - e2x, cy - e1y - e2y, ch - e1h - e2h, 2},
-                          {cx + e1x - e2x, cy + e1y - e2y, ch + e1h - e2h, 3}};
+  const Vector3 half1 = hi[j1] * M.col(j1), half2 = hi[j2] * M.col(j2);
+  ClipCorner c{center[k1], center[k2], side * center[r] - h[r], 0};
+  ClipCorner e1{half1[k1], half1[k2], side * half1[r], 0};
+  ClipCorner e2{half2[k1], half2[k2], side * half2[r], 0};
+  const Vector3 out = ofA ? normal : Vector3(-normal);
+  if (!alongFace) {
+    // Linear, so what moves a corner moves centre and half edges.
+    const detail::Shear shear(side * pose.R_WB.col(r), pose.R_WB.col(k1), pose.R_WB.col(k2), out);
+    c = shear(c);
+    e1 = shear(e1);
+    e2 = shear(e2);
+  }
+  ClipCorner first[12] = {
+      {c.x + e1.x + e2.x, c.y + e1.y + e2.y, c.height + e1.height + e2.height, 0},
+      {c.x - e1.x + e2.x, c.y - e1.y + e2.y, c.height - e1.height + e2.height, 1},
+      {c.x - e1.x - e2.x, c.y - e1.y - e2.y, c.height - e1.height - e2.height, 2},
+      {c.x + e1.x - e2.x, c.y + e1.y - e2.y, c.height + e1.height - e2.height, 3}};
   ClipCorner second[12];
   ClipCorner* loop = first;
   ClipCorner* spare = second;
   int count = 4;
 
   // Cut by the sides of the rectangle that it reaches beyond.
-  const Real wide = std::abs(e1x) + std::abs(e2x), high = std::abs(e1y) + std::abs(e2y);
+  const Real wide = std::abs(e1.x) + std::abs(e2.x), high = std::abs(e1.y) + std::abs(e2.y);
   const Real hx = h[k1], hy = h[k2];
   const auto cut = [&](int label, const auto& value) {
     count = detail::clipLoop(loop, count, label, value, spare);
     std::swap(loop, spare);
   };
-  if (cx + wide > hx) cut(4, [hx](const ClipCorner& c) { return c.x - hx; });
-  if (cy + high > hy) cut(5, [hy](const ClipCorner& c) { return c.y - hy; });
-  if (cx - wide < -hx) cut(6, [hx](const ClipCorner& c) { return -c.x - hx; });
-  if (cy - high < -hy) cut(7, [hy](const ClipCorner& c) { return -c.y - hy; });
+  if (c.x + wide > hx) cut(4, [hx](const ClipCorner& p) { return p.x - hx; });
+  if (c.y + high > hy) cut(5, [hy](const ClipCorner& p) { return p.y - hy; });
+  if (c.x - wide < -hx) cut(6, [hx](const ClipCorner& p) { return -p.x - hx; });
+  if (c.y - high < -hy) cut(7, [hy](const ClipCorner& p) { return -p.y - hy; });
 
   // A corner is named by the edges that meet in it.
   const int incidentBase = towards > 0 ? 1 << j : 0;
@@ -113,21 +124,22 @@ void fillFromFaces(const BoxPair& pair, int face, const Vector3& normal, Real li
                 edgeName(incident % 2 == 0 ? j1 : j2, incidentCorner[incident]));
   };
   const detail::ReferencePlane plane{pose.p_WB + side * h[r] * pose.R_WB.col(r), pose.R_WB.col(k1),
-                                     pose.R_WB.col(k2), side * pose.R_WB.col(r)};
-  const Vector3 out = ofA ? normal : Vector3(-normal);
-  detail::fillFromLoop(plane, loop, count, limit, out, name, manifold);
-  if (manifold.count > 0 || !mustTouch) return;
+                                     pose.R_WB.col(k2), out};
+  detail::fillFromLoop(plane, loop, count, limit, name, manifold);
+  if (manifold.count > 0 || !alongFace) return;
 
   // Two corners that just meet: rounding has cut the deepest one off. It is put back.
-  int deepest = 0;
   const Real sign1[4] = {1, -1, -1, 1}, sign2[4] = {1, 1, -1, -1};
+  int deepest = 0;
   for (int k = 1; k < 4; ++k) {
-    if (sign1[k] * e1h + sign2[k] * e2h < sign1[deepest] * e1h + sign2[deepest] * e2h) deepest = k;
+    const Real lower = sign1[k] * e1.height + sign2[k] * e2.height;
+    if (lower < sign1[deepest] * e1.height + sign2[deepest] * e2.height) deepest = k;
   }
-  const ClipCorner corner{std::clamp(cx + sign1[deepest] * e1x + sign2[deepest] * e2x, -hx, hx),
-                          std::clamp(cy + sign1[deepest] * e1y + sign2[deepest] * e2y, -hy, hy),
-                          ch + sign1[deepest] * e1h + sign2[deepest] * e2h, deepest};
-  detail::fillFromLoop(plane, &corner, 1, corner.height, out, name, manifold);
+  const Real s1 = sign1[deepest], s2 = sign2[deepest];
+  const ClipCorner corner{std::clamp(c.x + s1 * e1.x + s2 * e2.x, -hx, hx),
+                          std::clamp(c.y + s1 * e1.y + s2 * e2.y, -hy, hy),
+                          c.height + s1 * e1.height + s2 * e2.height, deepest};
+  detail::fillFromLoop(plane, &corner, 1, corner.height, name, manifold);
 }
 
 // The point where edge i of A crosses edge j of B.
@@ -172,7 +184,7 @@ void collideOrdered(const BoxPair& pair, const BoxAxis& best, Real margin, Manif
   // Corners within rounding of the deepest one count also where a margin of zero would drop them.
   const Real limit = std::max(margin, best.separation + kAxisTie * detail::sizeOf(pair));
   if (best.axis < 6) {
-    fillFromFaces(pair, best.axis, manifold.normal, limit, true, manifold);
+    fillFromFaces(pair, best.axis, manifold.normal, true, limit, manifold);
     return;
   }
   const Pose& A = *pair.A;
@@ -183,7 +195,7 @@ void collideOrdered(const BoxPair& pair, const BoxAxis& best, Real margin, Manif
     const int f = best.face;
     const Vector3 faceNormal = f < 3 ? A.R_WB.col(f) : B.R_WB.col(f - 3);
     if (std::abs(faceNormal.dot(manifold.normal)) > kNearlyFlat) {
-      fillFromFaces(pair, f, manifold.normal, limit, false, manifold);
+      fillFromFaces(pair, f, manifold.normal, false, limit, manifold);
       if (manifold.count > 0) return;
     }
   }

@@ -25,13 +25,14 @@ void clipAgainstFace(const FacingFeature& face, const FacingFeature& other, bool
   const Vector3& origin = face.corners[0];
   const Vector3 u = (face.corners[1] - origin).normalized();
   const Vector3 v = cross(face.normal, u);
+  const detail::Shear shear(face.normal, u, v, normal);
   ClipCorner first[detail::kMostCorners], second[detail::kMostCorners];
   ClipCorner* loop = first;
   ClipCorner* spare = second;
   int count = other.count;
   for (int k = 0; k < count; ++k) {
     const Vector3 corner = other.corners[k] - origin;
-    first[k] = {corner.dot(u), corner.dot(v), corner.dot(face.normal), k};
+    first[k] = shear({corner.dot(u), corner.dot(v), corner.dot(face.normal), k});
   }
   for (int i = 0; i < face.count; ++i) {
     const Vector3 from = face.corners[i] - origin;
@@ -73,8 +74,8 @@ void clipAgainstFace(const FacingFeature& face, const FacingFeature& other, bool
     return idOf(face.edgeNames[std::max(before, after) - kReference],
                 other.edgeNames[std::min(before, after)]);
   };
-  const detail::ReferencePlane plane{worldOrigin + origin, u, v, face.normal};
-  detail::fillFromLoop(plane, loop, count, limit, normal, name, manifold);
+  const detail::ReferencePlane plane{worldOrigin + origin, u, v, normal};
+  detail::fillFromLoop(plane, loop, count, limit, name, manifold);
 }
 
 // Two lines side by side: the ends of the part that they have in common.
@@ -142,7 +143,7 @@ Manifold collideFeatures(const ConvexShape& a, const Pose& A, const ConvexShape&
   } else if (onA.count == 2 && onB.count == 2) {
     compareLines(onA, onB, gap.normal, A.p_WB, limit, manifold);
   }
-  detail::keepDeepest((gap.pointA + gap.pointB) / 2, gap.separation, kDepthTie * reach,
+  detail::keepDeepest((gap.pointA + gap.pointB) / 2, gap.separation, reach,
                       (onA.cornerNames[0] << 16) | onB.cornerNames[0], manifold);
   return manifold;
 }

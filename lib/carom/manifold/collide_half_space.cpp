@@ -43,10 +43,9 @@ Manifold collideHalfSpace(const HalfSpace& a, const Pose& A, const ConvexShape& 
     return kFloor | feature.cornerNames[corner];
   };
   manifold.normal = normal;
-  detail::fillFromLoop(plane, loop, feature.count, limit, normal, name, manifold);
+  detail::fillFromLoop(plane, loop, feature.count, limit, name, manifold);
   const std::uint32_t id = kFloor | (static_cast<std::uint32_t>(FeatureKind::surface) << 14);
-  detail::keepDeepest(B.p_WB + lowest - separation / 2 * normal, separation, kDepthTie * reach, id,
-                      manifold);
+  detail::keepDeepest(B.p_WB + lowest - separation / 2 * normal, separation, reach, id, manifold);
   return manifold;
 }
 

@@ -51,9 +51,9 @@ int faceAgainst(const HullView& hull, int vertex, const Vector3& direction) {
 }
 
 // One face of each body: clips the incident one by the sides of the reference face.
-// `normal` points from A to B [frame of A].
+// `normal` points from A to B [frame of A]; `alongFace` says that it is the reference face's own.
 void fillFromFaces(const HullPair& pair, const Pose& A, bool ofA, int referenceFace,
-                   int incidentFace, const Vector3& normal, Real limit, bool mustTouch,
+                   int incidentFace, const Vector3& normal, bool alongFace, Real limit,
                    Manifold& manifold) {
   const HullView& reference = ofA ? pair.a : pair.b;
   const HullView& incident = ofA ? pair.b : pair.a;
@@ -70,6 +70,8 @@ void fillFromFaces(const HullPair& pair, const Pose& A, bool ofA, int referenceF
   const Vector3 out = ofA ? face.normal : Vector3(pair.R * face.normal);
   const Vector3 u = (toA(ofA, reference.vertices[side[1].origin]) - origin).normalized();
   const Vector3 v = cross(out, u);
+  const Vector3 away = ofA ? normal : Vector3(-normal);
+  const detail::Shear shear = alongFace ? detail::Shear() : detail::Shear(out, u, v, away);
 
   // The incident face over it.
   ClipCorner first[detail::kMostCorners], second[detail::kMostCorners];
@@ -82,7 +84,7 @@ void fillFromFaces(const HullPair& pair, const Pose& A, bool ofA, int referenceF
     const Vector3 corner = place - origin;
     // Heights over the plane as it is stored, not over one rounded corner of it.
     const Real height = ofA ? out.dot(place) - face.offset : out.dot(place - pair.t) - face.offset;
-    first[k] = {corner.dot(u), corner.dot(v), height, k};
+    first[k] = shear({corner.dot(u), corner.dot(v), height, k});
   }
   const ClipCorner* deepest = std::min_element(
       first, first + count,
@@ -128,12 +130,12 @@ void fillFromFaces(const HullPair& pair, const Pose& A, bool ofA, int referenceF
     return idOf(nameOf(FeatureKind::edge, side[std::max(before, after) - kReference].edge),
                 nameOf(FeatureKind::edge, incidentEdge(std::min(before, after)).edge));
   };
-  const detail::ReferencePlane plane{pointToWorld(A, origin), A.R_WB * u, A.R_WB * v, A.R_WB * out};
-  const Vector3 away = A.R_WB * (ofA ? normal : Vector3(-normal));
-  detail::fillFromLoop(plane, loop, count, limit, away, name, manifold);
-  if (manifold.count == 0 && mustTouch) {
+  const detail::ReferencePlane plane{pointToWorld(A, origin), A.R_WB * u, A.R_WB * v,
+                                     A.R_WB * away};
+  detail::fillFromLoop(plane, loop, count, limit, name, manifold);
+  if (manifold.count == 0 && alongFace) {
     // Two corners that just meet: rounding has cut the deepest one off. It is put back.
-    detail::fillFromLoop(plane, &lowest, 1, lowest.height, away, name, manifold);
+    detail::fillFromLoop(plane, &lowest, 1, lowest.height, name, manifold);
   }
 }
 
@@ -168,12 +170,12 @@ void fill(const HullPair& pair, const Pose& A, const HullAxis& axis, Real margin
   const Real limit = std::max(margin, axis.separation + kAxisTie * pair.size);
   if (axis.kind == AxisKind::faceOfA) {
     const int incident = faceAgainst(pair.b, axis.featureB, pair.R.transpose() * axis.normal);
-    fillFromFaces(pair, A, true, axis.featureA, incident, axis.normal, limit, true, manifold);
+    fillFromFaces(pair, A, true, axis.featureA, incident, axis.normal, true, limit, manifold);
     return;
   }
   if (axis.kind == AxisKind::faceOfB) {
     const int incident = faceAgainst(pair.a, axis.featureA, -axis.normal);
-    fillFromFaces(pair, A, false, axis.featureB, incident, axis.normal, limit, true, manifold);
+    fillFromFaces(pair, A, false, axis.featureB, incident, axis.normal, true, limit, manifold);
     return;
   }
   // Faces beside the edges that are nearly perpendicular to the normal.
@@ -189,7 +191,7 @@ void fill(const HullPair& pair, const Pose& A, const HullAxis& axis, Real margin
     const int faceA = leftA >= rightA ? edgeA.leftFace : edgeA.rightFace;
     const int faceB = leftB >= rightB ? edgeB.leftFace : edgeB.rightFace;
     const bool ofA = flatA >= flatB - kAxisTie;
-    fillFromFaces(pair, A, ofA, ofA ? faceA : faceB, ofA ? faceB : faceA, axis.normal, limit, false,
+    fillFromFaces(pair, A, ofA, ofA ? faceA : faceB, ofA ? faceB : faceA, axis.normal, false, limit,
                   manifold);
     if (manifold.count > 0) return;
   }

@@ -39,9 +39,11 @@ void ofCapsule(const Capsule& capsule, const Matrix3& R, const Vector3& place,
              nameOf(FeatureKind::vertex, along > 0 ? 1 : 0), feature);
     return;
   }
+  // Square to the axis, so that the line lies on the surface.
+  const Vector3 radial = (direction - along * axis).normalized();
   feature.count = 2;
-  feature.corners[0] = place - half + capsule.radius * direction;
-  feature.corners[1] = place + half + capsule.radius * direction;
+  feature.corners[0] = place - half + capsule.radius * radial;
+  feature.corners[1] = place + half + capsule.radius * radial;
   feature.cornerNames[0] = nameOf(FeatureKind::vertex, 0);
   feature.cornerNames[1] = nameOf(FeatureKind::vertex, 1);
   feature.edgeNames[0] = feature.edgeNames[1] = nameOf(FeatureKind::edge, 0);

@@ -35,9 +35,10 @@ void reduceLoop(const ClipCorner* loop, const int* index, int n, int* chosen) {
           l = m;
         }
       }
-      // A choice counts as larger only if rounding cannot have made it so.
-      constexpr Real kRounding = 1e-12;
-      if (onJ + onL > largest * (1 + kRounding)) {
+      // A choice must be larger by a millionth: of equally good ones the first stays, whatever the
+      // last digits of the corners are.
+      constexpr Real kClearly = 1e-6;
+      if (onJ + onL > largest * (1 + kClearly)) {
         largest = onJ + onL;
         kept[0] = i;
         kept[1] = j;
@@ -74,21 +75,22 @@ void reduceLoop(const ClipCorner* loop, const int* index, int n, int* chosen) {
   for (int k = 0; k < 4; ++k) chosen[k] = index[kept[k]];
 }
 
-void keepDeepest(const Vector3& position, Real separation, Real tolerance, std::uint32_t id,
+void keepDeepest(const Vector3& position, Real separation, Real reach, std::uint32_t id,
                  Manifold& manifold) {
+  const auto distance = [&](int k) { return (manifold.points[k].position - position).norm(); };
   int nearest = 0;
   for (int k = 0; k < manifold.count; ++k) {
-    if (manifold.points[k].separation <= separation + tolerance) return;
-    const auto distance = [&](int i) {
-      return (manifold.points[i].position - position).squaredNorm();
-    };
+    if (manifold.points[k].separation <= separation + kDepthTie * reach) return;
     if (distance(k) < distance(nearest)) nearest = k;
   }
   if (manifold.count == 0) manifold.areaCentroid = position;
-  ManifoldPoint& point = manifold.points[manifold.count < 4 ? manifold.count++ : nearest];
+  constexpr Real kNear = 0.1;
+  const bool near = manifold.count > 0 && distance(nearest) < kNear * reach;
+  const bool beside = !near && manifold.count < 4;
+  ManifoldPoint& point = manifold.points[beside ? manifold.count++ : nearest];
   point.position = position;
   point.separation = separation;
-  point.id = id;
+  if (beside) point.id = id;
 }
 
 }  // namespace carom::detail

@@ -4,9 +4,9 @@
 // Method: the loop lies over the reference face, each corner with its height. Its part below the
 // plane gives area and centroid; of its corners below the plane at most four are kept, by the rule
 // of reduceContacts(), and turned to world coordinates, halfway between the two surfaces.
-// Why the separation is measured along the normal of the manifold and not of the reference face:
-// when two edges cross at a small angle the least displacement is a hair off both faces; the points
-// are still those of the faces, the direction is the exact one.
+// Where two edges cross at a small angle the least displacement is a hair off both faces. Then
+// heights are measured along it, and x and y are those of the place on the reference plane where
+// that direction leads (Shear).
 // Not handled: loops of more than kMostCorners corners.
 
 #include <algorithm>
@@ -26,7 +26,29 @@ struct ReferencePlane {
   Vector3 origin;  ///< where x = y = 0 in the plane [m, world]
   Vector3 u;       ///< unit vector of x [1, world]
   Vector3 v;       ///< unit vector of y [1, world]
-  Vector3 normal;  ///< unit, out of the reference body [1, world]
+  Vector3 normal;  ///< unit, the manifold's, out of the reference body [1, world]
+};
+
+/// From heights along the normal of a face to heights along a direction beside it. \ingroup manifold
+struct Shear {
+  Real stretch = 1;  ///< height along the direction per height along the face's normal
+  Real x = 0;        ///< component of the direction along x
+  Real y = 0;        ///< component of the direction along y
+
+  /// None. \return heights stay as they are
+  Shear() = default;
+  /// For a direction. \param normal of the face, unit \param u axis of x, unit \param v axis of y,
+  /// unit \param direction unit, near the normal
+  Shear(const Vector3& normal, const Vector3& u, const Vector3& v, const Vector3& direction)
+      : stretch(1 / direction.dot(normal)), x(direction.dot(u)), y(direction.dot(v)) {}
+
+  /// A corner over the place on the plane where the direction leads.
+  /// \param corner with its height along the face's normal
+  /// \return the same corner, measured along the direction
+  ClipCorner operator()(const ClipCorner& corner) const {
+    const Real height = corner.height * stretch;
+    return {corner.x - x * height, corner.y - y * height, height, corner.label};
+  }
 };
 
 /// Area, first moments of a loop in its plane. \ingroup manifold
@@ -85,15 +107,17 @@ inline LoopArea areaOf(const ClipCorner* loop, int count) {
 /// \ingroup manifold
 void reduceLoop(const ClipCorner* loop, const int* index, int n, int* chosen);
 
-/// Puts the deepest point of a contact among the points if none of them is as deep: beside them, or
-/// in the place of the nearest one. A manifold without points gets it as its only one.
+/// Puts the deepest point of a contact among the points if none of them is as deep: in the place,
+/// and under the name, of one that is near, or beside them if there is room. A manifold without
+/// points gets it as its only one.
 /// \param position of the deepest point, halfway between the surfaces [m, world]
 /// \param separation its separation [m]
-/// \param tolerance depths closer than this are equal [m]
-/// \param id its name
+/// \param reach size of the bodies: depths within kDepthTie of it are equal, points within a tenth
+///   of it near [m]
+/// \param id its name where it stands beside the others
 /// \param manifold is changed
 /// \ingroup manifold
-void keepDeepest(const Vector3& position, Real separation, Real tolerance, std::uint32_t id,
+void keepDeepest(const Vector3& position, Real separation, Real reach, std::uint32_t id,
                  Manifold& manifold);
 
 /// Fills a manifold from a loop over a reference face.
@@ -101,13 +125,12 @@ void keepDeepest(const Vector3& position, Real separation, Real tolerance, std::
 /// \param plane the reference plane
 /// \param loop corners in order \param count how many
 /// \param limit corners higher than this are no contact [m]
-/// \param normal of the manifold, out of the reference body, near plane.normal [1, world]
 /// \param name makes the ids
 /// \param manifold receives points, count, area and centroid; not the normal
 /// \ingroup manifold
 template <class Name>
 inline void fillFromLoop(const ReferencePlane& plane, const ClipCorner* loop, int count, Real limit,
-                         const Vector3& normal, const Name& name, Manifold& manifold) {
+                         const Name& name, Manifold& manifold) {
   manifold.count = 0;
   manifold.area = 0;
   int below[kMostCorners];
@@ -118,11 +141,8 @@ inline void fillFromLoop(const ReferencePlane& plane, const ClipCorner* loop, in
   }
   if (n == 0) return;
 
-  // Along the manifold's normal heights are longer than along the plane's.
-  const Real stretch = 1 / normal.dot(plane.normal);
   const auto toWorld = [&](Real x, Real y, Real height) -> Vector3 {
-    return plane.origin + x * plane.u + y * plane.v + height * plane.normal -
-           (height * stretch / 2) * normal;
+    return plane.origin + x * plane.u + y * plane.v + (height / 2) * plane.normal;
   };
 
   // Area: of the whole loop, or of the part that the plane cuts off.
@@ -146,7 +166,7 @@ inline void fillFromLoop(const ReferencePlane& plane, const ClipCorner* loop, in
     const ClipCorner& corner = loop[i];
     ManifoldPoint& point = manifold.points[k];
     point.position = toWorld(corner.x, corner.y, corner.height);
-    point.separation = corner.height * stretch;
+    point.separation = corner.height;
     point.id = name(loop[i > 0 ? i - 1 : count - 1].label, corner.label);
   }
 }

@@ -98,7 +98,7 @@ Manifold plainManifold(const ConvexHull& a, const Pose& A, const ConvexHull& b, 
   // The opposite face, cut by the sides of the reference face.
   const bool ofA = axis.kind == AxisKind::faceOfA;
   const Vector3 out = ofA ? manifold.normal : Vector3(-manifold.normal);
-  const int reference = ofA ? axis.featureA : axis.featureB;
+  const int reference = ofA ? faceTowards(a, A, out) : faceTowards(b, B, out);
   const int incident = ofA ? faceTowards(b, B, -out) : faceTowards(a, A, -out);
   const std::vector<Vector3> referenceLoop =
       ofA ? loopOf(a, a.faces[reference], cornersA) : loopOf(b, b.faces[reference], cornersB);

@@ -1,7 +1,7 @@
 #pragma once
 // How large is a flat polygon, and where is its centre?
 //
-// Method: a fan of triangles from the first corner; areas add up, and each triangle pulls the centre
+// Method: a fan of triangles around the middle of the corners; areas add up, and each triangle pulls the centre
 // towards its own with the weight of its area.
 // Why not the mean of the corners: it does not know how far the corners are apart. A square with one
 // corner doubled would move its centre. Clipping makes corners wherever edges happen to cross, so

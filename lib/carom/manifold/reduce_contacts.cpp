@@ -41,10 +41,11 @@ std::vector<int> reduceContacts(std::span<const Vector3> corners,
         if (l < 0 || area(i, k, m) > area(i, k, l)) l = m;
       }
       if (l < 0) continue;
-      // A choice counts as larger only if rounding cannot have made it so.
-      constexpr Real kRounding = 1e-12;
+      // A choice must be larger by a millionth: of equally good ones the first stays, whatever the
+      // last digits of the corners are.
+      constexpr Real kClearly = 1e-6;
       const Real total = area(i, j, k) + area(i, k, l);
-      if (total > largest * (1 + kRounding)) {
+      if (total > largest * (1 + kClearly)) {
         largest = total;
         kept = {i, j, k, l};
       }
