@@ -148,6 +148,9 @@ PROBES() {
     const Real x = random.between(-1, 3), y = random.between(-1, 2);
     const Points incident =
         turned(rectangle(-random.between(1, 2), -random.between(1, 2), 1.5, 1, 0), R, {x, y, 0.9});
-    PROBE(faceContact(table, up, incident, 0));
+    // Below the origin and above it.
+    const Vector3 lift(0, 0, n % 2 ? -1.5 : 0);
+    PROBE(faceContact(turned(table, Matrix3::Identity(), lift), up,
+                      turned(incident, Matrix3::Identity(), lift), 0));
   }
 }
