@@ -32,7 +32,7 @@ Made madeEdges(Random& random) {
       cross(n, std::abs(n.x()) < 0.7 ? Vector3::UnitX() : Vector3::UnitY()).normalized();
   const Vector3 w = cross(n, u);
   const Real angle = random.between(0.3, 2.8);
-  const Vector3 v = std::cos(angle) * u + std::sin(angle) * w;
+  const Vector3 v = (random.integer(0, 1) ? 1 : -1) * (std::cos(angle) * u + std::sin(angle) * w);
   Made made;
   EdgeContact& c = made.contact;
   c.normal = n;

@@ -15,7 +15,7 @@ EdgeContact edgeContact(const Vector3& a0, const Vector3& a1, const Vector3& b0,
                         const Vector3& axis) {
   const Vector3 u = a1 - a0;
   const Vector3 v = b1 - b0;
-  const Vector3 between = b0 - a0;
+  [[maybe_unused]] const Vector3 between = b0 - a0;
   const Real uu = u.squaredNorm();
   const Real vv = v.squaredNorm();
   if (!(uu > 0) || !(vv > 0)) throw InvalidInput("edgeContact: an edge has no length");
