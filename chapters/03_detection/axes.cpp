@@ -55,7 +55,7 @@ carom::io::Plot panel(const Axis& axis) {
   const std::string says = (gap > 0 ? "a gap of " : "overlap ") +
                            carom::io::Cell(gap > 0 ? gap : -gap).text(carom::io::fixed(2)) + " m";
   carom::io::Plot plot(axis.name + ": " + says);
-  plot.xRange(-4.2, 4.2).yRange(-4.2, 4.2).equalAspect().size(330, 330);
+  plot.xRange(-4.2, 4.2).yRange(-4.2, 4.2).equalAspect().size(380, 360);
   plot.polygon("", kA, {.color = carom::io::kBlue});
   plot.polygon("", kB, {.color = carom::io::kVermilion});
   plot.label({-1.2, 0.8}, "A").label({1.4, 0.2}, "B");
@@ -92,7 +92,7 @@ int main(int argc, char** argv) {
 
   carom::io::Table table;
   table.column("normal of").column("x", carom::io::fixed(3)).column("y", carom::io::fixed(3));
-  for (const char* title : {"A from [m]", "to [m]", "B from [m]", "to [m]", "gap [m]"}) {
+  for (const char* title : {"A from", "to", "B from", "to", "gap"}) {
     table.column(title, carom::io::fixed(3));
   }
   std::vector<carom::io::Plot> panels;
@@ -101,7 +101,7 @@ int main(int argc, char** argv) {
                axis.ofB.low, axis.ofB.high, carom::gapBetween(axis.ofA, axis.ofB)});
     panels.push_back(panel(axis));
   }
-  std::cout << "Shadows of two triangles on the normals of their edges\n\n" << table;
+  std::cout << "Shadows of two triangles on the normals of their edges, in metres\n\n" << table;
 
   const carom::SeparatingAxis best = carom::satPolygons(kA, kB);
   std::cout << "\nThe best axis is the normal of edge "
@@ -109,5 +109,7 @@ int main(int argc, char** argv) {
             << (best.kind == carom::AxisKind::faceOfA ? 'A' : 'B') << ", turned to ("
             << carom::io::Cell(best.axis.x()).text(carom::io::fixed(3)) << ", "
             << carom::io::Cell(best.axis.y()).text(carom::io::fixed(3)) << "): from A to B.\n";
-  writePanels(folder / "axes.svg", panels, 3, 330, 330);
+  // Left the edges of A, right those of B.
+  writePanels(folder / "axes.svg",
+              {panels[0], panels[3], panels[1], panels[4], panels[2], panels[5]}, 2, 380, 360);
 }

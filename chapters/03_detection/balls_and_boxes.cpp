@@ -38,8 +38,8 @@ void printBalls() {
   const Real large = std::ldexp(1.0, 660), small = std::ldexp(1.0, -660), half = std::sqrt(3.0) / 2;
   const std::vector<Pair> pairs = {
       {"3, 4, 5", {3, 4, 0}, 2, 3},
-      {"the same, 2^660 as large", large * Vector3(3, 4, 0), 2 * large, 3 * large},
-      {"the same, 2^660 as small", small * Vector3(3, 4, 0), 2 * small, 3 * small},
+      {"2^660 times that", large * Vector3(3, 4, 0), 2 * large, 3 * large},
+      {"2^-660 times that", small * Vector3(3, 4, 0), 2 * small, 3 * small},
       {"diagonal of a cube", {1, 1, 1}, half, half}};
   carom::io::Table table;
   table.column("centres and radii").column("by (22) [m]", carom::io::scientific(1));

@@ -12,9 +12,9 @@
 
 #include "carom/core/cross.hpp"
 #include "carom/core/elementary.hpp"
+#include "carom/core/random.hpp"
 #include "carom/detection/project.hpp"
 #include "carom/detection/sat_boxes.hpp"
-#include "carom/core/random.hpp"
 #include "carom/rotation/hamilton_product.hpp"
 #include "carom_io/table.hpp"
 

@@ -107,15 +107,13 @@ int main(int argc, char** argv) {
   carom::io::Table table;
   table.column("A").column("B").column("apart [m]", carom::io::fixed(4));
   table.column("overlap [m]", carom::io::fixed(4)).column("normal");
-  table.column("point on A [m]").column("point on B [m]");
   Real check = 0;  // how far point A + s n is from point B [m]
   for (const Pair& pair : pairs) {
     const Separation apart = distance(pair, 0), deep = distance(pair, 4);
     for (const Separation& s : {apart, deep}) {
       check = std::max(check, (s.pointA + s.separation * s.normal - s.pointB).norm());
     }
-    table.row({pair.a.name, pair.b.name, apart.separation, deep.separation, triple(deep.normal),
-               triple(deep.pointA - pair.cell), triple(deep.pointB - pair.cell)});
+    table.row({pair.a.name, pair.b.name, apart.separation, deep.separation, triple(deep.normal)});
   }
   std::cout << table << "\nPoint on A plus s n misses the point on B by at most "
             << carom::io::Cell(check).text(carom::io::scientific(0)) << " m.\n";
@@ -123,7 +121,7 @@ int main(int argc, char** argv) {
   carom::io::Recording recording("Every pair of bodies",
                                  "A triangle of 27 pairs of bodies. In each pair one body comes "
                                  "towards the other, sinks into it "
-                                 "and leaves; an arrow joins the nearest points.");
+                                 "and leaves; two dots are the nearest points.");
   recording.setView({.direction = Vector3(0.1, 1, -0.8)});
   for (const Pair& pair : pairs) {
     const std::string name = pair.a.name + ", " + pair.b.name;
@@ -133,14 +131,17 @@ int main(int argc, char** argv) {
     recording.addFixed(name + ": A", pair.a.picture, {a.position + floor, a.orientation},
                        {.color = carom::io::kBlue, .opacity = 0.55});
     recording.addBody(name + ": B", pair.b.picture, {.color = carom::io::kOrange, .opacity = 0.55});
-    recording.addArrow(name, carom::io::Color{30, 30, 30});
+    for (const char* point : {": point on A", ": point on B"}) {
+      recording.addBody(name + point, carom::io::Ball{0.06}, {.color = carom::io::kVermilion});
+    }
   }
   for (int step = 0; step <= 240; ++step) {
     carom::io::Frame frame{.time = step / 30.0};
     for (const Pair& pair : pairs) {
       const Separation s = distance(pair, frame.time);
       frame.poses.push_back(placeOfB(pair, frame.time));
-      frame.arrows.push_back({s.pointA, s.pointB - s.pointA});
+      frame.poses.push_back({s.pointA, {}});
+      frame.poses.push_back({s.pointB, {}});
     }
     recording.addFrame(frame);
   }

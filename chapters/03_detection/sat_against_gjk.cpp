@@ -68,11 +68,11 @@ std::size_t dotProducts(const ConvexHull& a, const ConvexHull& b) {
 
 void printErrors(int pairs) {
   carom::io::Table table;
-  table.column("nearest with").column("distance [m]", carom::io::significant(1));
-  table.column("axes find [m]", carom::io::significant(3));
+  table.column("nearest with").column("d [m]", carom::io::significant(1));
+  table.column("axes [m]", carom::io::significant(3));
   table.column("error [m]", carom::io::scientific(0))
-      .column("GJK error [m]", carom::io::scientific(0));
-  table.column("GJK points", carom::io::fixed(1));
+      .column("GJK err [m]", carom::io::scientific(0));
+  table.column("points", carom::io::fixed(1));
   carom::Random random(3);
   const std::vector<std::pair<std::string, std::string>> kinds = {
       {"face", "face"}, {"face", "corner"}, {"edge", "edge"}, {"corner", "corner"}};
@@ -108,9 +108,8 @@ Cloud onBall(int corners, carom::Random& random) {
 
 void printWork(const std::filesystem::path& folder) {
   carom::io::Table table;
-  table.column("corners of each").column("axes").column("dot products for them");
-  table.column("GJK points", carom::io::fixed(1))
-      .column("dot products for it", carom::io::fixed(0));
+  table.column("corners").column("axes").column("dot products");
+  table.column("GJK points", carom::io::fixed(1)).column("for GJK", carom::io::fixed(0));
   std::vector<Real> corners, forAxes, forGjk;
   carom::Random random(8);
   for (const int n : {8, 16, 32, 64, 128}) {
@@ -133,6 +132,7 @@ void printWork(const std::filesystem::path& folder) {
   std::cout << table;
   carom::io::Plot plot("Work for one pair of hulls");
   plot.xAxis("corners of each hull", carom::io::Scale::Logarithmic)
+      .xRange(5, 200)
       .yAxis("dot products", carom::io::Scale::Logarithmic);
   plot.curve("all axes", corners, forAxes, {.marks = true});
   plot.curve("GJK", corners, forGjk, {.marks = true});
@@ -141,7 +141,7 @@ void printWork(const std::filesystem::path& folder) {
 }
 
 int main(int argc, char** argv) {
-  std::cout << "200 pairs in each row, distances known; the largest errors\n\n";
+  std::cout << "200 pairs in each row, at a known distance d; the largest errors\n\n";
   printErrors(200);
   std::cout << "\nWork, counted: hulls with corners on a ball, apart\n\n";
   printWork(argc > 1 ? argv[1] : ".");
