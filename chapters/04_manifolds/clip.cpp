@@ -32,7 +32,7 @@ std::vector<Vector2> flat(const Loop& loop) {
 
 carom::io::Plot panel(const std::string& title, const Loop& left) {
   carom::io::Plot plot(title);
-  plot.xRange(-2, 6).yRange(-2, 5).equalAspect().size(330, 300);
+  plot.xRange(-2, 6).yRange(-2, 5).equalAspect().size(380, 330);
   plot.polygon("", flat(kReference), {.opacity = 0.1, .color = carom::io::kBlue});
   plot.polygon("", flat(left), {.opacity = 0.35, .color = carom::io::kVermilion});
   return plot;
@@ -107,7 +107,7 @@ int main(int argc, char** argv) {
   panels.push_back(panel("o centre of the area, x mean of corners", left));
   panels.back().xRange(0, 4).yRange(0, 3);
   panels.back().label({center.x() - 0.1, center.y()}, "o").label({mean.x() - 0.1, mean.y()}, "x");
-  writePanels(folder / "clip.svg", panels, 3, 330, 300);
+  writePanels(folder / "clip.svg", panels, 2, 380, 330);
 
   std::cout << "A quadrilateral cut to a rectangle of 4 m by 3 m\n\n" << table;
   const auto text = [](Real v) { return carom::io::Cell(v).text(carom::io::fixed(3)); };

@@ -99,7 +99,7 @@ int main(int argc, char** argv) {
 
   carom::io::Table table;
   table.column("touching at").column("largest tilt [mrad]", carom::io::fixed(2));
-  table.column("tilt in the last second [mrad]", carom::io::fixed(2)).column("it");
+  table.column("last second [mrad]", carom::io::fixed(2)).column("it");
   carom::io::Plot plot("A box that somebody has nudged");
   plot.xAxis("time [s]").yAxis("tilt [mrad]").yRange(-25, 25);
   constexpr int kSteps = 480;  // 4 s

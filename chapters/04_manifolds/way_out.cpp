@@ -117,14 +117,14 @@ void crossing(carom::io::Table& table) {
   };
   const Vector3 mean = (towards(A.col(0)) + towards(A.col(2))).normalized();
   report("two edges: the best face", pair, -face.separation * face.normal, table);
-  report("two edges: mean of the faces at A's edge", pair, wayAlong(pair, mean) * mean, table);
+  report("two edges: mean of A's faces", pair, wayAlong(pair, mean) * mean, table);
   report("two edges: cross product", pair, least, table);
 }
 
 int main() {
   carom::io::Table table;
   table.column("pair: rule").column("push [m]", carom::io::fixed(3));
-  table.column("gap after it [m]", carom::io::fixed(3)).column("so B is");
+  table.column("gap then [m]", carom::io::fixed(3)).column("B is");
   inside(table);
   wedge(table);
   crossing(table);
