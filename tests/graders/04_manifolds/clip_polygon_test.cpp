@@ -70,7 +70,7 @@ Cut anyCut(Random& random) {
   Cut cut{polygon(random, random.integer(3, 6)), random.between(0.3, 3) * random.direction(), 0};
   Vector3 middle = Vector3::Zero();
   for (const Vector3& p : cut.polygon) middle += p / static_cast<Real>(cut.polygon.size());
-  cut.offset = cut.normal.dot(middle + 0.5 * random.vector());
+  cut.offset = cut.normal.dot(middle + 0.1 * random.vector());
   return cut;
 }
 
