@@ -13,6 +13,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "carom/core/length.hpp"
 #include "carom/core/real.hpp"
 #include "carom/detection/shapes.hpp"
 #include "carom/detection/simplex.hpp"
@@ -27,57 +28,8 @@ enum class CoreKind : std::uint8_t { point, segment, box, cylinder, hull };
 struct CoreShape {
   CoreKind kind = CoreKind::point;    ///< what it is
   Real radius = 0;                    ///< the roundness around it [m]
-  Vector3 extents = Vector3::Zero();  ///< box: half extents; segment, cylinder: z; cylinder: x = r
+  Vector3 extents = Vector3::Zero();  ///< half sizes; cylinder: radius twice; segment: z only [m]
   const ConvexHull* hull = nullptr;   ///< for hulls; must outlive the core
-
-  /// The farthest point of the core. \param d direction, any length [body]
-  /// \param start corner where the search begins, for hulls
-  /// \return the point and its number; -1 for cylinders, which have no corners
-  Support support(const Vector3& d, std::int32_t start) const {
-    switch (kind) {
-      case CoreKind::point:
-        return {Vector3::Zero(), 0};
-      case CoreKind::segment:
-        return d.z() >= 0 ? Support{{0, 0, extents.z()}, 1} : Support{{0, 0, -extents.z()}, 0};
-      case CoreKind::box: {
-        const Vector3 point(std::copysign(extents.x(), d.x()), std::copysign(extents.y(), d.y()),
-                            std::copysign(extents.z(), d.z()));
-        return {point, static_cast<std::int32_t>(point.x() > 0) + 2 * (point.y() > 0) +
-                           4 * (point.z() > 0)};
-      }
-      case CoreKind::cylinder:
-        return supportOf(Cylinder{extents.x(), extents.z()}, d);
-      case CoreKind::hull:
-        return supportOf(*hull, d, start);
-    }
-    return {};
-  }
-
-  /// The corner with a number, if there is one. \param id as support() gave it
-  /// \param point receives the corner [m, body] \return false if no corner has this number
-  bool corner(std::int32_t id, Vector3& point) const {
-    if (id < 0) return false;
-    switch (kind) {
-      case CoreKind::point:
-        point.setZero();
-        return id == 0;
-      case CoreKind::segment:
-        point = {0, 0, id == 1 ? extents.z() : -extents.z()};
-        return id <= 1;
-      case CoreKind::box:
-        point = {(id & 1) != 0 ? extents.x() : -extents.x(),
-                 (id & 2) != 0 ? extents.y() : -extents.y(),
-                 (id & 4) != 0 ? extents.z() : -extents.z()};
-        return id < 8;
-      case CoreKind::cylinder:
-        return false;
-      case CoreKind::hull:
-        if (static_cast<std::size_t>(id) >= hull->vertices.size()) return false;
-        point = hull->vertices[static_cast<std::size_t>(id)];
-        return true;
-    }
-    return false;
-  }
 };
 
 /// The core of a ball. \param ball the ball \return a point \ingroup detection
@@ -94,34 +46,109 @@ inline CoreShape coreOf(const Box& box) {
 }
 /// The core of a cylinder. \param cylinder the cylinder \return itself \ingroup detection
 inline CoreShape coreOf(const Cylinder& cylinder) {
-  return {CoreKind::cylinder, 0, {cylinder.radius, 0, cylinder.halfHeight}, nullptr};
+  return {CoreKind::cylinder, 0, {cylinder.radius, cylinder.radius, cylinder.halfHeight}, nullptr};
 }
 /// The core of a hull. \param hull must outlive the core \return itself \ingroup detection
 inline CoreShape coreOf(const ConvexHull& hull) {
   return {CoreKind::hull, 0, Vector3::Zero(), &hull};
 }
 
+/// A core turned as its body is, measured from the body's origin along the world's axes. The
+/// columns of the matrix times the half sizes are kept, so that a corner of a box is a sum of three
+/// columns, and no product with the matrix is left in the loop. \ingroup detection
+struct PlacedCore {
+  CoreKind kind;           ///< what it is
+  const ConvexHull* hull;  ///< for hulls
+  Matrix3 R_WB;            ///< rotation, body to world
+  Matrix3 arms;            ///< R_WB times the half sizes: columns from the centre to the faces [m]
+
+  /// Turns a core. \param core the core \param rotation body to world
+  PlacedCore(const CoreShape& core, const Matrix3& rotation)
+      : kind(core.kind),
+        hull(core.hull),
+        R_WB(rotation),
+        arms(rotation * core.extents.asDiagonal()) {}
+
+  /// The farthest point of the core. \param d direction, any length [world axes]
+  /// \param start corner where the search begins, for hulls
+  /// \return the point and its number; -1 for cylinders, which have no corners
+  Support support(const Vector3& d, std::int32_t start) const {
+    switch (kind) {
+      case CoreKind::point:
+        return {Vector3::Zero(), 0};
+      case CoreKind::segment: {
+        const bool up = d.dot(arms.col(2)) >= 0;
+        return {up ? Vector3(arms.col(2)) : Vector3(-arms.col(2)), up};
+      }
+      case CoreKind::box: {
+        const Real x = d.dot(arms.col(0)), y = d.dot(arms.col(1)), z = d.dot(arms.col(2));
+        const Vector3 point = std::copysign(Real(1), x) * arms.col(0) +
+                              std::copysign(Real(1), y) * arms.col(1) +
+                              std::copysign(Real(1), z) * arms.col(2);
+        return {point, !std::signbit(x) + 2 * !std::signbit(y) + 4 * !std::signbit(z)};
+      }
+      case CoreKind::cylinder: {
+        const Real x = d.dot(R_WB.col(0)), y = d.dot(R_WB.col(1)), z = d.dot(arms.col(2));
+        // Along the axis the end's centre: then no side is preferred.
+        const Real rho = length({x, y, 0});
+        Vector3 point = std::copysign(Real(1), z) * arms.col(2);
+        if (rho > 0) point += (x / rho) * arms.col(0) + (y / rho) * arms.col(1);
+        return {point, -1};
+      }
+      case CoreKind::hull: {
+        const Support found = supportOf(*hull, R_WB.transpose() * d, start);
+        return {R_WB * found.point, found.id};
+      }
+    }
+    return {};
+  }
+
+  /// The corner with a number, if there is one. \param id as support() gave it
+  /// \param point receives the corner [m, world axes] \return false if there is none
+  bool corner(std::int32_t id, Vector3& point) const {
+    if (id < 0) return false;
+    const auto sign = [id](int bit) { return (id >> bit & 1) != 0 ? Real(1) : Real(-1); };
+    switch (kind) {
+      case CoreKind::point:
+        point.setZero();
+        return id == 0;
+      case CoreKind::segment:
+        point = sign(0) * arms.col(2);
+        return id <= 1;
+      case CoreKind::box:
+        point = sign(0) * arms.col(0) + sign(1) * arms.col(1) + sign(2) * arms.col(2);
+        return id < 8;
+      case CoreKind::cylinder:
+        return false;
+      case CoreKind::hull:
+        if (static_cast<std::size_t>(id) >= hull->vertices.size()) return false;
+        point = R_WB * hull->vertices[static_cast<std::size_t>(id)];
+        return true;
+    }
+    return false;
+  }
+};
+
 /// Support points of the difference of two placed cores, A - B, measured from A's origin along the
 /// world's axes. The positions are subtracted first, so nothing is lost far from the origin; the
 /// matrices are used as they are, so a matrix that is a rounding away from a rotation stands for
 /// exactly the solid that it makes. \ingroup detection
 struct CorePair {
-  const CoreShape& a;               ///< core of A
-  const CoreShape& b;               ///< core of B
-  const Matrix3& R_WA;              ///< rotation of A
-  const Matrix3& R_WB;              ///< rotation of B
+  PlacedCore a;                     ///< core of A
+  PlacedCore b;                     ///< core of B
   Vector3 p_AB;                     ///< B's origin from A's [m, world axes]
   mutable std::int32_t startA = 0;  ///< hull corner found last
   mutable std::int32_t startB = 0;  ///< hull corner found last
 
   /// The farthest difference of a point of A and a point of B.
-  /// \param d direction, any length [world] \return the vertex
+  /// \param d direction, any length [world axes] \return the vertex
   SimplexVertex<3> operator()(const Vector3& d) const {
-    const Support onA = a.support(R_WA.transpose() * d, startA);
-    const Support onB = b.support(R_WB.transpose() * -d, startB);
+    const Support onA = a.support(d, startA);
+    const Support onB = b.support(-d, startB);
     if (onA.id > 0) startA = onA.id;
     if (onB.id > 0) startB = onB.id;
-    return made(onA.point, onA.id, onB.point, onB.id);
+    const Vector3 q = onB.point + p_AB;
+    return {onA.point - q, onA.point, q, onA.id, onB.id};
   }
 
   /// The difference of two corners by number. \param idA corner of A \param idB corner of B
@@ -129,17 +156,9 @@ struct CorePair {
   bool corners(std::int32_t idA, std::int32_t idB, SimplexVertex<3>& vertex) const {
     Vector3 onA, onB;
     if (!a.corner(idA, onA) || !b.corner(idB, onB)) return false;
-    vertex = made(onA, idA, onB, idB);
+    const Vector3 q = onB + p_AB;
+    vertex = {onA - q, onA, q, idA, idB};
     return true;
-  }
-
-  /// A vertex from points of both bodies. \param onA point of A [m, A] \param idA its number
-  /// \param onB point of B [m, B] \param idB its number \return the vertex
-  SimplexVertex<3> made(const Vector3& onA, std::int32_t idA, const Vector3& onB,
-                        std::int32_t idB) const {
-    const Vector3 p = R_WA * onA;
-    const Vector3 q = R_WB * onB + p_AB;
-    return {p - q, p, q, idA, idB};
   }
 };
 

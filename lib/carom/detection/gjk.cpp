@@ -108,7 +108,7 @@ Separation ofThinCores(const CoreShape& a, const Pose& A, const CoreShape& b, co
 
 Separation ofCores(const CoreShape& a, const Pose& A, const CoreShape& b, const Pose& B,
                    const Vector3& p_AB, SimplexCache* cache) {
-  const CorePair pair{a, b, A.R_WB, B.R_WB, p_AB};
+  const CorePair pair{{a, A.R_WB}, {b, B.R_WB}, p_AB};
   const Real size = reachOf(a) + reachOf(b) + length(p_AB);
   Simplex<3> simplex = warmSimplex(pair, cache);
   Vector3 start = centerOf(a, A) - centerOf(b, B) - p_AB;

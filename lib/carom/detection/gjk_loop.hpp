@@ -92,14 +92,14 @@ GjkResult<Dim> runGjk(const SupportFunction& support, Simplex<Dim>& simplex,
     simplex.count = 1;
     ++result.iterations;
   }
-  Vector nearest = closestToOrigin(simplex);
-  Real squared = nearest.squaredNorm();
+  NearestPoint<Dim> nearest, next;
+  nearestToOrigin(simplex, nearest);
+  keepOnly(simplex, nearest);
   while (true) {
-    result.upper = std::sqrt(squared);
-    if (simplex.count == Dim + 1 || result.upper <= noise) return result;  // unclear
+    if (simplex.count == Dim + 1 || nearest.squared <= noise * noise) return result;  // unclear
 
     Vector d;
-    if (!facing(simplex, nearest, d)) d = -nearest;
+    if (!facing(simplex, nearest.point, d)) d = -nearest.point;
     const SimplexVertex<Dim> fresh = support(d);
     ++result.iterations;
 
@@ -112,32 +112,26 @@ GjkResult<Dim> runGjk(const SupportFunction& support, Simplex<Dim>& simplex,
       known |= old.idA == fresh.idA && old.idB == fresh.idB && (old.idA | old.idB) >= 0;
     }
     const Real farther = d.dot(fresh.difference);
-    const bool reached = known || !(farther > reach);
-    Simplex<Dim> next = simplex;
-    Vector nextNearest = nearest;
-    Real nextSquared = squared;
-    if (!reached) {
-      next.vertices[static_cast<std::size_t>(next.count++)] = fresh;
-      nextNearest = closestToOrigin(next);
-      nextSquared = nextNearest.squaredNorm();
+    bool better = !known && farther > reach;
+    if (better) {
+      simplex.vertices[static_cast<std::size_t>(simplex.count++)] = fresh;
+      nearestToOrigin(simplex, next);
+      better = next.squared < nearest.squared && result.iterations < kMostGjkSteps;
+      if (better) {
+        nearest = next;
+        keepOnly(simplex, nearest);
+        continue;
+      }
+      --simplex.count;
     }
-    if (reached || (!(nextSquared < squared) && next.count != Dim + 1)) {
-      const Real whole = d.norm();
-      result.direction = d / whole;
-      result.lower = -std::max(farther, reach) / whole;
-      result.end = result.lower > noise ? GjkEnd::apart : GjkEnd::unclear;
-      return result;
-    }
-    if (result.iterations >= kMostGjkSteps) {
-      const Real whole = d.norm();
-      result.direction = d / whole;
-      result.lower = -farther / whole;
-      result.end = GjkEnd::stalled;
-      return result;
-    }
-    simplex = next;
-    nearest = nextNearest;
-    squared = nextSquared;
+    // No progress: the plane through the farthest point is the proof of the distance.
+    const Real whole = d.norm();
+    result.direction = d / whole;
+    result.upper = std::sqrt(nearest.squared);
+    result.lower = -std::max(farther, reach) / whole;
+    result.end = result.lower > noise ? GjkEnd::apart : GjkEnd::unclear;
+    if (result.iterations >= kMostGjkSteps) result.end = GjkEnd::stalled;
+    return result;
   }
 }
 

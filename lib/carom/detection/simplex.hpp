@@ -40,6 +40,41 @@ struct Simplex {
   int count = 0;                                     ///< number of corners
 };
 
+namespace detail {
+
+/// The nearest point of a simplex to the origin, and the corners that hold it.
+/// \tparam Dim 2 or 3
+/// \ingroup detection
+template <int Dim>
+struct NearestPoint {
+  Eigen::Matrix<Real, Dim, 1> point;  ///< the nearest point [m]
+  Real squared;                       ///< its squared distance [m^2]
+  std::array<int, Dim + 1> corners;   ///< numbers of the corners that hold it, rising
+  std::array<Real, Dim + 1> weights;  ///< their weights
+  int count;                          ///< how many
+};
+
+/// Finds the nearest point and leaves the simplex as it is, see closestToOrigin().
+/// \tparam Dim 2 or 3 \param simplex at least one corner \param nearest receives the nearest point
+template <int Dim>
+void nearestToOrigin(const Simplex<Dim>& simplex, NearestPoint<Dim>& nearest);
+
+/// Keeps only the corners that hold a nearest point.
+/// \tparam Dim 2 or 3 \param simplex the simplex \param nearest of this simplex
+template <int Dim>
+void keepOnly(Simplex<Dim>& simplex, const NearestPoint<Dim>& nearest) {
+  // They are in rising order, so each moves down or stays.
+  for (int i = 0; i < nearest.count; ++i) {
+    const auto to = static_cast<std::size_t>(i);
+    const auto from = static_cast<std::size_t>(nearest.corners[to]);
+    if (from != to) simplex.vertices[to] = simplex.vertices[from];
+    simplex.weights[to] = nearest.weights[to];
+  }
+  simplex.count = nearest.count;
+}
+
+}  // namespace detail
+
 /// Keeps of a simplex only the corners that hold its point nearest to the origin, and sets their
 /// weights. All Dim + 1 are kept only if the origin lies inside.
 /// \tparam Dim 2 or 3
@@ -47,7 +82,12 @@ struct Simplex {
 /// \return the nearest point [m]; zero if the origin lies inside
 /// \ingroup detection
 template <int Dim>
-Eigen::Matrix<Real, Dim, 1> closestToOrigin(Simplex<Dim>& simplex);
+Eigen::Matrix<Real, Dim, 1> closestToOrigin(Simplex<Dim>& simplex) {
+  detail::NearestPoint<Dim> nearest;
+  detail::nearestToOrigin(simplex, nearest);
+  detail::keepOnly(simplex, nearest);
+  return nearest.point;
+}
 
 /// The points of A and B that the weights of a simplex mix.
 /// \tparam Dim 2 or 3
