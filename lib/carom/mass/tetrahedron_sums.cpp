@@ -13,8 +13,8 @@ namespace carom {
 namespace {
 
 // How many fours are added plainly before the block is added with compensation: few enough that a
-// block loses less than 32 units in the last place, enough that compensation costs nothing.
-constexpr std::size_t kFoursPerBlock = 32;
+// block loses less than 64 units in the last place, enough that compensation costs nothing.
+constexpr std::size_t kFoursPerBlock = 64;
 
 constexpr std::size_t kLargestIndex = std::numeric_limits<std::int32_t>::max();
 
