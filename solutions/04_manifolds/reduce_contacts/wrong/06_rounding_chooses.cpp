@@ -1,0 +1,66 @@
+// Exercise 04.reduce_contacts: which four of many contact points hold a body as all of them would?
+// Check it with: ./course check 04.reduce_contacts
+
+#include "carom/manifold/reduce_contacts.hpp"
+
+#include <algorithm>
+
+#include "carom/core/cross.hpp"
+#include "carom/core/errors.hpp"
+
+namespace carom {
+namespace {
+
+[[maybe_unused]] Real areaOfFour(std::span<const Vector3> corners, const std::vector<int>& four) {
+  const auto area = [&](int i, int j, int k) {
+    return cross(corners[j] - corners[i], corners[k] - corners[i]).norm();
+  };
+  return area(four[0], four[1], four[2]) + area(four[0], four[2], four[3]);
+}
+
+}  // namespace
+
+std::vector<int> reduceContacts(std::span<const Vector3> corners,
+                                std::span<const Real> separations) {
+  const int n = static_cast<int>(corners.size());
+  if (separations.size() != corners.size()) {
+    throw InvalidInput("reduceContacts: there must be one separation per corner");
+  }
+  Real reach = 0;
+  for (const Vector3& p : corners) {
+    for (const Vector3& q : corners) reach = std::max(reach, (p - q).norm());
+  }
+
+  std::vector<int> kept;
+  for (int i = 0; i < std::min(n, 4); ++i) kept.push_back(i);
+  if (n <= 4) return kept;
+
+  // Of all choices the largest area; larger only if rounding cannot have made it so.
+  for (int i = 0; i < n; ++i) {
+    for (int j = i + 1; j < n; ++j) {
+      for (int k = j + 1; k < n; ++k) {
+        for (int l = k + 1; l < n; ++l) {
+          const std::vector<int> four = {i, j, k, l};
+          if (areaOfFour(corners, four) > areaOfFour(corners, kept) * (1 + 1e-12)) kept = four;
+        }
+      }
+    }
+  }
+
+  // The deepest corner stays, in the place of the one that costs least area.
+  const int deepest = static_cast<int>(std::min_element(separations.begin(), separations.end()) -
+                                       separations.begin());
+  Real deepestKept = separations[kept[0]];
+  for (const int i : kept) deepestKept = std::min(deepestKept, separations[i]);
+  if (!(separations[deepest] < deepestKept)) return kept;
+  std::vector<int> best;
+  for (int replaced = 0; replaced < 4; ++replaced) {
+    std::vector<int> four = kept;
+    four[replaced] = deepest;
+    std::sort(four.begin(), four.end());
+    if (best.empty() || areaOfFour(corners, four) > areaOfFour(corners, best)) best = four;
+  }
+  return best;
+}
+
+}  // namespace carom
