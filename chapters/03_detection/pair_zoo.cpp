@@ -100,7 +100,7 @@ int main(int argc, char** argv) {
   std::vector<Pair> pairs;
   for (int i = 0; i < 7; ++i) {
     for (int j = 0; j <= std::min(i, 5); ++j) {
-      pairs.push_back({all[i], all[j], {2.4 * j, -2.6 * i, 0}});
+      pairs.push_back({all[i], all[j], {2.7 * i, -2.7 * j, 0}});
     }
   }
 
@@ -122,7 +122,7 @@ int main(int argc, char** argv) {
                                  "A triangle of 27 pairs of bodies. In each pair one body comes "
                                  "towards the other, sinks into it "
                                  "and leaves; two dots are the nearest points.");
-  recording.setView({.direction = Vector3(0.1, 1, -0.8)});
+  recording.setView({.direction = Vector3(-0.1, 0.6, -1)});
   for (const Pair& pair : pairs) {
     const std::string name = pair.a.name + ", " + pair.b.name;
     const bool plane = pair.a.name == "half-space";
@@ -132,7 +132,7 @@ int main(int argc, char** argv) {
                        {.color = carom::io::kBlue, .opacity = 0.55});
     recording.addBody(name + ": B", pair.b.picture, {.color = carom::io::kOrange, .opacity = 0.55});
     for (const char* point : {": point on A", ": point on B"}) {
-      recording.addBody(name + point, carom::io::Ball{0.06}, {.color = carom::io::kVermilion});
+      recording.addBody(name + point, carom::io::Ball{0.1}, {.color = carom::io::kVermilion});
     }
   }
   for (int step = 0; step <= 240; ++step) {

@@ -88,8 +88,7 @@ int main(int argc, char** argv) {
   carom::io::Recording recording(
       "A box that somebody has nudged",
       "A flat box on a floor, seen from the side, four times. Held at a point on the axis it turns "
-      "slowly through the floor; held at one point of the contact it rocks; held at both ends it "
-      "rests.");
+      "and turns; held at one point of the contact it rocks; held at both ends it rests.");
   recording.setView(
       {.flat = true, .up = Vector3::UnitY(), .target = Vector3(0, 0.2, 0), .distance = 0.6});
   recording.setParameter("touching at");
