@@ -25,7 +25,7 @@ namespace {
 std::vector<int> reduceContacts(std::span<const Vector3> corners,
                                 std::span<const Real> separations) {
   // Given: each corner needs its separation, and the longest distance of two corners.
-  const int n = static_cast<int>(corners.size());
+  [[maybe_unused]] const int n = static_cast<int>(corners.size());
   if (separations.size() != corners.size()) {
     throw InvalidInput("reduceContacts: there must be one separation per corner");
   }

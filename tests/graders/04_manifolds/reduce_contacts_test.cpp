@@ -97,6 +97,11 @@ TEST_CASE("area") {
   GRADE(reduceContacts(bulged, slope), Numbers({0, 1, 3, 4}), within(0, kNumbers),
         given("corners", bulged, "m"), given("separations", slope, "m"),
         about("the same, deepest at corner 0"));
+  const Points crowded = {{0, 0, 0},       {4, 0, 0},   {4, 2.9, 0},
+                          {3.95, 2.97, 0}, {3.9, 3, 0}, {0, 3, 0}};
+  GRADE(reduceContacts(crowded, even), Numbers({0, 1, 3, 5}), within(0, kNumbers),
+        given("corners", crowded, "m"), given("separations", even, "m"),
+        about("a rectangle with one corner rounded: three corners stand close together"));
   Random random(seed());
   for (int n = 0; n < 10; ++n) {
     const Askew polygon = askew(random, 8 + 4 * (n % 3));
@@ -148,5 +153,6 @@ PROBES() {
     for (int k = 0; k < count; ++k) depths.push_back(-random.between(0.01, 0.2));
     PROBE(reduceContacts(corners, depths));
   }
+  PROBE(reduceContacts(Points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, Reals{0, 0, 0}));
   PROBE(reduceContacts(oneBulge, Reals{-0.1, -0.1, -0.1, -0.1 - 1e-13, -0.1}));
 }

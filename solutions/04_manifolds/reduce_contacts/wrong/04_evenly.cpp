@@ -22,7 +22,7 @@ namespace {
 
 std::vector<int> reduceContacts(std::span<const Vector3> corners,
                                 std::span<const Real> separations) {
-  const int n = static_cast<int>(corners.size());
+  [[maybe_unused]] const int n = static_cast<int>(corners.size());
   if (separations.size() != corners.size()) {
     throw InvalidInput("reduceContacts: there must be one separation per corner");
   }
