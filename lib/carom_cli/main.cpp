@@ -4,6 +4,7 @@
 #include <iostream>
 #include <map>
 
+#include "carom_cli/contact_command.hpp"
 #include "carom_cli/mass_command.hpp"
 
 namespace {
@@ -32,11 +33,39 @@ int run(int argc, char** argv) {
   mass->add_flag("--self-intersections,!--no-self-intersections", request.selfIntersections,
                  "look for triangles that cut or touch each other (default: yes; about 2 us each)");
 
+  carom::cli::ContactRequest contactRequest;
+  CLI::App* contact = app.add_subcommand(
+      "contact", "Whether two solids overlap, how far or deep, and where (SI units)");
+  contact->add_option("A", contactRequest.fileA, "mesh file of a convex solid, or of convex parts")
+      ->required();
+  contact->add_option("B", contactRequest.fileB, "the other mesh file")->required();
+  const auto poseOption = [contact](const char* name, std::vector<double>& pose,
+                                    const char* whose) {
+    contact
+        ->add_option(name, pose,
+                     std::string("pose of ") + whose +
+                         ": x y z [m], or x y z and a quaternion w x y z; default: as in the file")
+        ->expected(3, 7)
+        ->check(CLI::Number);
+  };
+  poseOption("--pose", contactRequest.poseB, "B");
+  poseOption("--pose-a", contactRequest.poseA, "A");
+  contact->add_flag("--json", contactRequest.json, "print one JSON object");
+
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     // Asking for help or the version is reported the same way, with exit code 0.
     return app.exit(error) == 0 ? 0 : kWrongUse;
+  }
+  if (*contact) {
+    for (const auto* pose : {&contactRequest.poseA, &contactRequest.poseB}) {
+      if (!pose->empty() && pose->size() != 3 && pose->size() != 7) {
+        std::cerr << "a pose has 3 or 7 numbers, not " << pose->size() << '\n';
+        return kWrongUse;
+      }
+    }
+    return carom::cli::runContact(contactRequest);
   }
   if (!(request.density > 0) || !std::isfinite(request.density)) {
     std::cerr << "--density " << request.density << ": must be finite and greater than 0\n";

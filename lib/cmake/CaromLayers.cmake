@@ -98,8 +98,28 @@ function(carom_seam group seam)
   set_property(TARGET ${target} PROPERTY POSITION_INDEPENDENT_CODE ON)
 endfunction()
 
+# Whether an exercise's file is still as it came: an exercise of the kind "fix" comes with code that runs, and is wrong.
+# The skeleton is what exercises/runner/skeleton.cpp cuts; in a copy of the course without solutions nothing is known.
+function(carom_is_skeleton file out)
+  set(${out} FALSE PARENT_SCOPE)
+  get_filename_component(name ${file} NAME_WE)
+  get_filename_component(folder ${file} DIRECTORY)
+  get_filename_component(chapter ${folder} NAME)
+  set(solution ${PROJECT_SOURCE_DIR}/solutions/${chapter}/${name}/${name}.cpp)
+  if(EXISTS ${solution})
+    execute_process(
+      COMMAND sed -e "/^ *\\/\\/# solution/,/^ *\\/\\/# stub/d" -e "/^ *\\/\\/# end/d" -e "s|^\\( *\\)//#. \\{0,1\\}|\\1|"
+        -e "s/^ *$//" ${solution}
+      OUTPUT_VARIABLE skeleton)
+    file(READ ${file} content)
+    if("${content}" STREQUAL "${skeleton}")
+      set(${out} TRUE PARENT_SCOPE)
+    endif()
+  endif()
+endfunction()
+
 # The object file that provides a seam in this build: the library's own, or, with CAROM_MINE, the student's
-# where the exercise has been worked on. A file that still calls todo() has not been.
+# where the exercise has been worked on. A file that still calls todo() has not been, nor one that is as it came.
 function(carom_seam_object group seam out)
   set(${out} $<TARGET_OBJECTS:carom_seam_${group}_${seam}> PARENT_SCOPE)
   if(NOT CAROM_MINE)
@@ -109,7 +129,8 @@ function(carom_seam_object group seam out)
   foreach(file IN LISTS mine)
     set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${file})
     file(STRINGS ${file} unfinished REGEX "todo<.*>\\(")
-    if(NOT unfinished)
+    carom_is_skeleton(${file} untouched)
+    if(NOT unfinished AND NOT untouched)
       message(STATUS "mine: ${group}/${seam} comes from ${file}")
       set(mine_target carom_mine_${group}_${seam})
       add_library(${mine_target} OBJECT ${file})

@@ -17,10 +17,10 @@
 #include <vector>
 
 #include "carom/core/errors.hpp"
+#include "carom/core/random.hpp"
 #include "carom/detection/gjk.hpp"
 #include "carom/detection/hull_of_points.hpp"
 #include "carom/detection/separate_hulls.hpp"
-#include "carom/mass/random.hpp"
 #include "support/catch.hpp"
 
 using carom::ConvexHull;
@@ -125,7 +125,7 @@ std::vector<Family> families() {
          for (std::size_t i = 0; i < std::min<std::size_t>(shared, 3); ++i) b[i] = a[i];
          return std::pair(a, b);
        },
-       0.05},
+       0.02},
       {"one ulp from touching",
        [](Random& random) {
          Tetrahedron a;
@@ -243,10 +243,12 @@ TEST_CASE("the least displacement separates, and a little less does not") {
         if (!hullA || !hullB) continue;
         const auto said = carom::separateHulls(*hullA, Pose(), *hullB, Pose());
         const Real band = 64 * kEpsilon * std::max(largest(a), largest(b));
-        if (said.separation > -4 * band) continue;
+        // Among equally good axes a face wins (kAxisTie), so the way may be longer by a few of these.
+        const Real tie = 4 * carom::kAxisTie * (hullA->boundingRadius + hullB->boundingRadius);
+        if (said.separation > -4 * (band + tie)) continue;
         ++tried;
         stuck += !cgalSaysApart(a, moved(b, (-said.separation + band) * said.axis));
-        wasteful += cgalSaysApart(a, moved(b, (-said.separation - band) * said.axis));
+        wasteful += cgalSaysApart(a, moved(b, (-said.separation - band - tie) * said.axis));
       }
       CHECK(tried > 0);
       CHECK(stuck == 0);

@@ -1,31 +1,19 @@
-#include <sys/wait.h>
-
 #include <cmath>
-#include <cstdlib>
 #include <nlohmann/json.hpp>
 
-#include "scratch.hpp"
+#include "run_carom.hpp"
 #include "support/catch.hpp"
 
 using carom_test::ContainsSubstring;
+using carom_test::Outcome;
 using carom_test::Scratch;
 using carom_test::WithinAbs;
 using carom_test::WithinRel;
 
 namespace {
 
-struct Outcome {
-  int exitCode;
-  std::string out, err;
-};
-
 Outcome run(const Scratch& scratch, const std::string& arguments) {
-  const std::string out = scratch.file("out").string(), err = scratch.file("err").string();
-  const std::string command =
-      std::string("\"") + CAROM_PROGRAM + "\" " + arguments + " >\"" + out + "\" 2>\"" + err + "\"";
-  const int status = std::system(command.c_str());
-  REQUIRE(WIFEXITED(status));
-  return {WEXITSTATUS(status), Scratch::read(out), Scratch::read(err)};
+  return carom_test::runCarom(scratch, arguments);
 }
 
 // The box 1 x 2 x 3 with a corner at (10, 20, 30).
