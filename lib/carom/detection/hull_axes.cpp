@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <vector>
 
@@ -167,23 +168,27 @@ class Search {
         onB_(pair.b.faceCount) {}
 
   HullAxis run(const HullHint* hint, Real enough) {
-    if (hint == nullptr || !beginWith(*hint)) beginAtCentroids(enough);
+    if (hint == nullptr || !beginWith(*hint, enough)) beginAtCentroids(enough);
     if (best() > enough) return answer(false);
 
     // All faces that the points do not rule out, then all edges.
-    Numbers above(std::max(pair_.a.faceCount, pair_.b.faceCount) + 1);
-    int count = facesAbove(onA_, pair_.a.faceCount, threshold(), above.data());
-    for (int k = 0; k < count; ++k) {
-      const int f = above[k];
-      if (onA_[f] >= threshold() && !triedA_.has(f)) tryFaceOfA(f);
+    Numbers aboveA(pair_.a.faceCount + 1), aboveB(pair_.b.faceCount + 1);
+    const int countA = facesAbove(onA_, pair_.a.faceCount, threshold(), aboveA.data());
+    for (int k = 0; k < countA; ++k) {
+      const int f = aboveA[k];
+      if (onA_[f] >= threshold() && !triedA_.has(f) && allAbove(pair_.a.faces[f], pointsOfB_)) {
+        tryFaceOfA(f);
+      }
     }
-    count = facesAbove(onB_, pair_.b.faceCount, threshold(), above.data());
-    for (int k = 0; k < count; ++k) {
-      const int f = above[k];
-      if (onB_[f] >= threshold() && !triedB_.has(f)) tryFaceOfB(f);
+    const int countB = facesAbove(onB_, pair_.b.faceCount, threshold(), aboveB.data());
+    for (int k = 0; k < countB; ++k) {
+      const int f = aboveB[k];
+      if (onB_[f] >= threshold() && !triedB_.has(f) && allAbove(pair_.b.faces[f], pointsOfA_)) {
+        tryFaceOfB(f);
+      }
     }
     if (best() > enough) return answer(false);
-    tryEdges();
+    tryEdges(aboveA, countA, aboveB, countB);
     return answer(true);
   }
 
@@ -196,20 +201,75 @@ class Search {
     return best() - tie_;
   }
 
+  // A few points of a body that lie around the contact, in the frame of the other one.
+  struct Points {
+    static constexpr int kMost = 4;
+    Vector3 point[kMost];
+    int count = 0;
+
+    void add(const Vector3& x) {
+      if (count < kMost) point[count++] = x;
+    }
+  };
+
+  // Whether none of these points rules a face out. Cheaper than looking for the lowest vertex.
+  bool allAbove(const HullFace& face, const Points& points) const {
+    const Real toReach = threshold() + face.offset;
+    for (int k = 0; k < points.count; ++k) {
+      if (face.normal.dot(points.point[k]) < toReach) return false;
+    }
+    return true;
+  }
+
+  // The corners of a face, and the neighbours of a vertex.
+  template <class Place>
+  static void addCorners(const HullView& hull, int face, const Place& place, Points& points) {
+    for (int k = 0; k < std::min(hull.faces[face].count, Points::kMost); ++k) {
+      points.add(place(hull.vertices[hull.halfEdges[hull.faces[face].firstHalfEdge + k].origin]));
+    }
+  }
+  template <class Place>
+  static void addNeighbours(const HullView& hull, int vertex, const Place& place, Points& points) {
+    const int first = hull.anyHalfEdge[vertex];
+    int side = first;
+    do {
+      const int twin = hull.halfEdges[side].twin;
+      points.add(place(hull.vertices[hull.halfEdges[twin].origin]));
+      side = hull.halfEdges[twin].next;
+    } while (side != first && points.count < Points::kMost);
+  }
+  Vector3 toA(const Vector3& x) const {
+    return pair_.R * x + pair_.t;
+  }
+  Vector3 toB(const Vector3& x) const {
+    return pair_.R.transpose() * (x - pair_.t);
+  }
+
   // Begins with the features that were best in the last step; false if they do not meet any more.
-  bool beginWith(const HullHint& hint) {
+  bool beginWith(const HullHint& hint, Real enough) {
     const HullView& a = pair_.a;
     const HullView& b = pair_.b;
     const bool hasA = hint.featureA >= 0, hasB = hint.featureB >= 0;
     if (hint.kind == AxisKind::faceOfA && hasA && hint.featureA < a.faceCount) {
-      look(tryFaceOfA(hint.featureA));
+      const Vector3 lowest = tryFaceOfA(hint.featureA);
+      if (best() > enough) return true;
+      measure(a, lowest, onA_);
+      measure(b, toB(pulledInside(a, lowest, onA_)), onB_);
+      addNeighbours(
+          b, lowestVertex_, [this](const Vector3& x) { return toA(x); }, pointsOfB_);
+      addCorners(
+          a, hint.featureA, [this](const Vector3& x) { return toB(x); }, pointsOfA_);
       return true;
     }
     if (hint.kind == AxisKind::faceOfB && hasB && hint.featureB < b.faceCount) {
-      const Vector3 lowest_B = pair_.R.transpose() * (tryFaceOfB(hint.featureB) - pair_.t);
+      const Vector3 lowest_B = toB(tryFaceOfB(hint.featureB));
+      if (best() > enough) return true;
       measure(b, lowest_B, onB_);
-      const Vector3 inB_B = pulledInside(b, lowest_B, onB_);
-      measure(a, pair_.R * inB_B + pair_.t, onA_);
+      measure(a, toA(pulledInside(b, lowest_B, onB_)), onA_);
+      addNeighbours(
+          a, lowestVertex_, [this](const Vector3& x) { return toB(x); }, pointsOfA_);
+      addCorners(
+          b, hint.featureB, [this](const Vector3& x) { return toA(x); }, pointsOfB_);
       return true;
     }
     if (hint.kind != AxisKind::edges || !hasA || !hasB || hint.featureA >= a.edgeCount ||
@@ -219,7 +279,7 @@ class Search {
     const Arc arcA = arcOfA(hint.featureA), arcB = arcOfB(hint.featureB);
     if (!arcsCross(arcA, arcB)) return false;
     tryEdgePair(arcA, arcB);
-    lookAtEdges(arcA, arcB);
+    if (best() <= enough) lookAtEdges(arcA, arcB);
     return true;
   }
 
@@ -278,14 +338,18 @@ class Search {
         }
       }
     }
-    if (bestA >= 0) lookAtEdges(ofA[bestA], ofB[bestB]);
-  }
-
-  // Measures both bodies from a point of B and a point of A beside it.
-  void look(const Vector3& pointB) {
-    measure(pair_.a, pointB, onA_);
-    const Vector3 pointA = pulledInside(pair_.a, pointB, onA_);
-    measure(pair_.b, pair_.R.transpose() * (pointA - pair_.t), onB_);
+    if (bestA >= 0) {
+      lookAtEdges(ofA[bestA], ofB[bestB]);
+      return;
+    }
+    for (int i = 0; i < std::min(countA, 2); ++i) {
+      pointsOfA_.add(toB(ofA[i].start));
+      pointsOfA_.add(toB(ofA[i].start + ofA[i].along));
+    }
+    for (int j = 0; j < std::min(countB, 2); ++j) {
+      pointsOfB_.add(ofB[j].start);
+      pointsOfB_.add(ofB[j].start + ofB[j].along);
+    }
   }
 
   // Measures both bodies from the points where two edges are nearest.
@@ -301,7 +365,12 @@ class Search {
     const Real s = std::clamp(cross(between, v).dot(axis) / square, Real(0), Real(1));
     const Real t = std::clamp(cross(between, u).dot(axis) / square, Real(0), Real(1));
     measure(pair_.a, arcB.start + t * v, onA_);
-    measure(pair_.b, pair_.R.transpose() * (arcA.start + s * u - pair_.t), onB_);
+    measure(pair_.b, toB(arcA.start + s * u), onB_);
+    pointsOfB_.count = pointsOfA_.count = 0;
+    pointsOfB_.add(arcB.start);
+    pointsOfB_.add(arcB.start + v);
+    pointsOfA_.add(toB(arcA.start));
+    pointsOfA_.add(toB(arcA.start + u));
   }
 
   // The gap on a face of A; returns the point of B that is lowest over it [frame of A].
@@ -394,7 +463,8 @@ class Search {
 
   // The edges of one body that the heights do not rule out: those of the faces that reach the
   // threshold, and for gaps above zero all that edgeMatters().
-  int edgesThatMatter(const HullView& hull, const Heights& heights, Numbers& list) const {
+  int edgesThatMatter(const HullView& hull, const Heights& heights, const Numbers& above,
+                      int aboveCount, const Points& points, Numbers& list) const {
     const Real toReach = threshold();
     int count = 0;
     if (toReach > 0) {
@@ -404,25 +474,34 @@ class Search {
       }
       return count;
     }
-    Numbers above(hull.faceCount + 1);
-    const int faces = facesAbove(heights, hull.faceCount, toReach, above.data());
-    for (int k = 0; k < faces; ++k) {
+    const auto height = [&](int f, const Vector3& point) {
+      return hull.faces[f].normal.dot(point) - hull.faces[f].offset;
+    };
+    for (int k = 0; k < aboveCount; ++k) {
+      if (heights[above[k]] < toReach) continue;
       const HullFace& face = hull.faces[above[k]];
       for (int h = face.firstHalfEdge; h < face.firstHalfEdge + face.count; ++h) {
         const HullHalfEdge& side = hull.halfEdges[h];
         const std::int32_t other = hull.halfEdges[side.twin].face;
         // An edge between two such faces is met twice, and taken once.
+        if ((heights[other] >= toReach) & (above[k] > other)) continue;
+        // Any other point rules it out as well, if it lies deep enough below both faces.
+        bool ruledOut = false;
+        for (int p = 0; p < points.count; ++p) {
+          ruledOut |= (height(other, points.point[p]) < toReach) &
+                      (height(above[k], points.point[p]) < toReach);
+        }
         list[count] = side.edge;
-        count += (heights[other] < toReach) | (above[k] < other) ? 1 : 0;
+        count += ruledOut ? 0 : 1;
       }
     }
     return count;
   }
 
-  void tryEdges() {
+  void tryEdges(const Numbers& aboveA, int facesA, const Numbers& aboveB, int facesB) {
     Numbers edgesA(2 * pair_.a.edgeCount + 1), edgesB(2 * pair_.b.edgeCount + 1);
-    const int countA = edgesThatMatter(pair_.a, onA_, edgesA);
-    const int countB = edgesThatMatter(pair_.b, onB_, edgesB);
+    const int countA = edgesThatMatter(pair_.a, onA_, aboveA, facesA, pointsOfB_, edgesA);
+    const int countB = edgesThatMatter(pair_.b, onB_, aboveB, facesB, pointsOfA_, edgesB);
     Scratch<Arc, 32> arcsB(countB);
     for (int k = 0; k < countB; ++k) arcsB[k] = arcOfB(edgesB[k]);
     Numbers crossing(countB + 1);
@@ -524,6 +603,7 @@ class Search {
   Heights onB_;           // of one point of A over all faces of B
   int lowestVertex_ = 0;  // found by the last try of a face
   Tried triedA_, triedB_;
+  Points pointsOfA_, pointsOfB_;  // in the frame of the other body
   Real blur_ = 0;
 };
 
@@ -532,27 +612,39 @@ class Search {
 int farthestVertex(const HullView& hull, const Vector3& direction) {
   // Two passes without a branch that depends on data: all products, then where the largest is.
   constexpr int kChunk = 64;
+  const Two dx = {direction.x(), direction.x()};
+  const Two dy = {direction.y(), direction.y()};
+  const Two dz = {direction.z(), direction.z()};
+  const auto load = [](const Real* from) {
+    Two value;
+    std::memcpy(&value, from, sizeof value);
+    return value;
+  };
   int farthest = 0;
   Real best = -kInfinity;
   for (int begin = 0; begin < hull.vertexCount; begin += kChunk) {
     const int count = std::min(kChunk, hull.vertexCount - begin);
-    alignas(16) Real products[kChunk + 1];
-    for (int i = 0; i < count; ++i) {
-      products[i] = hull.x[begin + i] * direction.x() + hull.y[begin + i] * direction.y() +
-                    hull.z[begin + i] * direction.z();
+    const Real* x = hull.x + begin;
+    const Real* y = hull.y + begin;
+    const Real* z = hull.z + begin;
+    Real products[kChunk + 1];
+    Two most = {-kInfinity, -kInfinity};
+    int i = 0;
+    for (; i + 1 < count; i += 2) {
+      const Two product = load(x + i) * dx + load(y + i) * dy + load(z + i) * dz;
+      std::memcpy(products + i, &product, sizeof product);
+      most = product > most ? product : most;
     }
-    products[count] = products[0];
-    Two most = {products[0], products[0]};
-    for (int i = 0; i < count; i += 2) {
-      const Two next = {products[i], products[i + 1]};
-      most = next > most ? next : most;
+    Real largest = std::max(most[0], most[1]);
+    if (i < count) {
+      products[i] = x[i] * direction.x() + y[i] * direction.y() + z[i] * direction.z();
+      largest = std::max(largest, products[i]);
     }
-    const Real largest = std::max(most[0], most[1]);
     if (largest > best) {
       best = largest;
-      int i = 0;
-      while (i + 1 < count && products[i] != largest) ++i;
-      farthest = begin + i;
+      int k = 0;
+      while (k + 1 < count && products[k] != largest) ++k;
+      farthest = begin + k;
     }
   }
   return farthest;

@@ -15,12 +15,13 @@
 
 namespace carom::detail {
 
-/// A corner of a clipped loop. \ingroup manifold
+/// A corner of a clipped loop. Without initial values, because loops lie on the stack.
+/// \ingroup manifold
 struct ClipCorner {
-  Real x = 0;              ///< first coordinate in the reference plane [m]
-  Real y = 0;              ///< second coordinate in the reference plane [m]
-  Real height = 0;         ///< over the reference plane, negative below [m]
-  std::int32_t label = 0;  ///< edge that leaves this corner: see the clipper
+  Real x;              ///< first coordinate in the reference plane [m]
+  Real y;              ///< second coordinate in the reference plane [m]
+  Real height;         ///< over the reference plane, negative below [m]
+  std::int32_t label;  ///< edge that leaves this corner: see the clipper
 };
 
 /// Cuts a loop and keeps what has value(corner) <= 0.
