@@ -4,6 +4,7 @@
 #include <limits>
 #include <type_traits>
 
+#include "carom/core/length.hpp"
 #include "carom/detection/closest_point.hpp"
 #include "carom/detection/gap_sign.hpp"
 #include "carom/detection/planar_gjk.hpp"
@@ -16,9 +17,11 @@ namespace {
 
 constexpr Real kInfinity = std::numeric_limits<Real>::infinity();
 
-// One sum tells whether all twelve numbers are finite; what is wrong is found out only then.
+// One sum tells whether all twelve numbers are finite; what is wrong is found out only then. Summed
+// in columns, so that the additions need not wait for one another.
 void requireFinitePose(const Pose& pose, const char* name) {
-  const Real sum = pose.R_WB.sum() + pose.p_WB.sum();
+  const Vector3 sums = (pose.R_WB.col(0) + pose.R_WB.col(1)) + (pose.R_WB.col(2) + pose.p_WB);
+  const Real sum = sums.x() + sums.y() + sums.z();
   if (!(sum - sum == 0)) requireUsable(pose, name);
 }
 
@@ -42,10 +45,14 @@ Separation ballAgainst(const Ball& ball, const Pose& A, const Other& other, cons
 
 Separation ballAgainst(const Ball& a, const Pose& A, const Ball& b, const Pose& B) {
   const Vector3 way = B.p_WB - A.p_WB;
-  const Real distance = way.stableNorm();
+  const Real distance = length(way);
   Separation result;
   if (distance > 0) result.normal = way / distance;
-  result.separation = preciseGap(A.p_WB, a.radius, B.p_WB, b.radius);
+  result.separation = distance - (a.radius + b.radius);
+  // Near touching the difference of the roots loses its digits; that of the squares need not.
+  if (std::abs(result.separation) <= 0x1p-10 * distance) {
+    result.separation = preciseGap(A.p_WB, a.radius, B.p_WB, b.radius);
+  }
   result.pointA = A.p_WB + a.radius * result.normal;
   result.pointB = B.p_WB - b.radius * result.normal;
   return result;

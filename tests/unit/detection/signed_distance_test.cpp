@@ -2,10 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <fstream>
 #include <limits>
 #include <numbers>
+#include <string>
 #include <vector>
 
+#include "carom/core/cross.hpp"
 #include "carom/core/errors.hpp"
 #include "carom/detection/closest_point.hpp"
 #include "carom/detection/hull_of_points.hpp"
@@ -145,6 +149,83 @@ TEST_CASE("D13: boxes in kissing contact are apart, and nothing is thrown") {
   CHECK(std::abs(s.separation - readNumber(expected["gap"])) <= readNumber(expected["accept"]));
   CHECK(std::abs(s.normal.norm() - 1) <= 4 * kUlp);
   CHECK(s.status != SeparationStatus::stalled);
+}
+
+TEST_CASE("D4, D7: the sign of the distance is the exact verdict, for touching bodies zero") {
+  std::ifstream file(std::string(CAROM_CASES_DIR) + "/sat.json");
+  const json all = json::parse(file);
+  struct Count {
+    int overlapping = 0, touching = 0, separated = 0;
+    void add(Real separation) {
+      (separation > 0 ? separated : (separation < 0 ? overlapping : touching)) += 1;
+    }
+  };
+  for (const char* set : {"integer", "tenths"}) {
+    const Real divisor = std::string(set) == "tenths" ? 10 : 1;
+    const auto drawn = [&](CaseNumbers& random, std::uint64_t range) {
+      return static_cast<Real>(random.next() % range) / divisor;
+    };
+    const auto check = [&](const Count& count, const json& expected) {
+      CHECK(count.overlapping == expected["overlapping"].get<int>());
+      CHECK(count.touching == expected["touching"].get<int>());
+      CHECK(count.separated == expected["separated"].get<int>());
+    };
+
+    // Triangles; those without an area are skipped, clockwise ones turned.
+    const json planar = all["D4"];
+    CaseNumbers random2(planar[set]["seed"].get<std::uint64_t>());
+    Count triangles;
+    for (int n = 0; n < planar["pairs"].get<int>();) {
+      std::vector<Vector2> pair[2];
+      bool flat = false;
+      for (auto& corners : pair) {
+        for (int i = 0; i < 3; ++i) {
+          const Real x = drawn(random2, 16), y = drawn(random2, 16);
+          corners.emplace_back(x, y);
+        }
+        const Vector2 u = divisor * (corners[1] - corners[0]),
+                      v = divisor * (corners[2] - corners[0]);
+        const Real area =
+            std::round(u.x()) * std::round(v.y()) - std::round(u.y()) * std::round(v.x());
+        flat = flat || area == 0;
+        if (area < 0) std::swap(corners[1], corners[2]);
+      }
+      if (flat) continue;
+      ++n;
+      triangles.add(signedDistance(PlanarShape(makePolygon(pair[0])), PlanarPose{},
+                                   PlanarShape(makePolygon(pair[1])), PlanarPose{})
+                        .separation);
+    }
+    check(triangles, planar[set]);
+
+    const json spatial = all["D7"];
+    CaseNumbers random3(spatial[set]["seed"].get<std::uint64_t>());
+    Count tetrahedra;
+    for (int n = 0; n < spatial["pairs"].get<int>();) {
+      std::vector<Vector3> pair[2];
+      bool flat = false;
+      for (auto& corners : pair) {
+        for (int i = 0; i < 4; ++i) {
+          const Real x = drawn(random3, 8), y = drawn(random3, 8), z = drawn(random3, 8);
+          corners.emplace_back(x, y, z);
+        }
+        Matrix3 edges;
+        for (int i = 0; i < 3; ++i) {
+          edges.col(i) = (divisor * (corners[static_cast<std::size_t>(i) + 1] - corners[0]))
+                             .array()
+                             .round()
+                             .matrix();
+        }
+        flat = flat || std::abs(edges.col(0).dot(cross(edges.col(1), edges.col(2)))) < 0.5;
+      }
+      if (flat) continue;
+      ++n;
+      tetrahedra.add(
+          signedDistance(Shape(hullOfPoints(pair[0])), Pose{}, Shape(hullOfPoints(pair[1])), Pose{})
+              .separation);
+    }
+    check(tetrahedra, spatial[set]);
+  }
 }
 
 TEST_CASE("D14: the gap of 3.6 micrometres between two boxes is right to a part in ten million") {
