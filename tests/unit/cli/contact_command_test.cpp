@@ -87,8 +87,7 @@ TEST_CASE("carom contact tells touching from apart and from overlapping") {
         Case{"0 0 1.0000000000000002", "separated", 0x1p-52},
         Case{"0 0 0.9999999999999999", "overlapping", -0x1p-53},
         // Turned by 45 degrees about z, its edge reaches sqrt(1/2) towards A; rounding decides.
-        Case{"1.70710678118654752 0 0 0.92387953251128674 0 0 0.38268343236508977", "separated",
-             0}}) {
+        Case{"1.70710678118654752 0 0 0.92387953251128674 0 0 0.38268343236508977", nullptr, 0}}) {
     INFO(c.pose);
     const auto result = contact(scratch, cube + " " + cube + " --pose " + c.pose);
     CHECK_THAT(result["separation"].get<double>(), WithinAbs(c.separation, 1e-15));
