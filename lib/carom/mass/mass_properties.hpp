@@ -22,7 +22,9 @@
 
 namespace carom {
 
-/// How a rigid body resists being pushed and turned. \source{18}
+/// How a rigid body resists being pushed and turned.
+/// \source{18}
+/// \erratum{2.2}
 /// \ingroup mass
 struct MassProperties {
   Real volume = 0;                    ///< [m^3]
