@@ -172,23 +172,19 @@ class Search {
     if (best() > enough) return answer(false);
 
     // All faces that the points do not rule out, then all edges.
-    Numbers aboveA(pair_.a.faceCount + 1), aboveB(pair_.b.faceCount + 1);
-    const int countA = facesAbove(onA_, pair_.a.faceCount, threshold(), aboveA.data());
-    for (int k = 0; k < countA; ++k) {
-      const int f = aboveA[k];
-      if (onA_[f] >= threshold() && !triedA_.has(f) && allAbove(pair_.a.faces[f], pointsOfB_)) {
-        tryFaceOfA(f);
-      }
+    Alive aliveA(pair_.a.faceCount), aliveB(pair_.b.faceCount);
+    collect(pair_.a, onA_, pointsOfB_, aliveA);
+    for (int k = 0; k < aliveA.count; ++k) {
+      const int f = aliveA.faces[k];
+      if (aliveA.below[k] == 0 && !triedA_.has(f)) tryFaceOfA(f);
     }
-    const int countB = facesAbove(onB_, pair_.b.faceCount, threshold(), aboveB.data());
-    for (int k = 0; k < countB; ++k) {
-      const int f = aboveB[k];
-      if (onB_[f] >= threshold() && !triedB_.has(f) && allAbove(pair_.b.faces[f], pointsOfA_)) {
-        tryFaceOfB(f);
-      }
+    collect(pair_.b, onB_, pointsOfA_, aliveB);
+    for (int k = 0; k < aliveB.count; ++k) {
+      const int f = aliveB.faces[k];
+      if (aliveB.below[k] == 0 && !triedB_.has(f)) tryFaceOfB(f);
     }
     if (best() > enough) return answer(false);
-    tryEdges(aboveA, countA, aboveB, countB);
+    tryEdges(aliveA, aliveB);
     return answer(true);
   }
 
@@ -212,13 +208,32 @@ class Search {
     }
   };
 
-  // Whether none of these points rules a face out. Cheaper than looking for the lowest vertex.
-  bool allAbove(const HullFace& face, const Points& points) const {
-    const Real toReach = threshold() + face.offset;
-    for (int k = 0; k < points.count; ++k) {
-      if (face.normal.dot(points.point[k]) < toReach) return false;
+  // The faces of a body over which the point of its heights reaches the threshold. Bit k of `below`
+  // says that point k lies too deep for the face.
+  struct Alive {
+    explicit Alive(int faceCount) : faces(faceCount + 1), below(faceCount + 1) {}
+
+    int count = 0;
+    Numbers faces;
+    Numbers below;
+  };
+
+  static bool isBelow(const HullFace& face, const Vector3& point, Real toReach) {
+    return face.normal.dot(point) < toReach + face.offset;
+  }
+
+  void collect(const HullView& hull, const Heights& heights, const Points& points,
+               Alive& alive) const {
+    const Real toReach = threshold();
+    alive.count = facesAbove(heights, hull.faceCount, toReach, alive.faces.data());
+    for (int k = 0; k < alive.count; ++k) {
+      const HullFace& face = hull.faces[alive.faces[k]];
+      std::int32_t below = 0;
+      for (int p = 0; p < points.count; ++p) {
+        below |= (isBelow(face, points.point[p], toReach) ? 1 : 0) << p;
+      }
+      alive.below[k] = below;
     }
-    return true;
   }
 
   // The corners of a face, and the neighbours of a vertex.
@@ -463,8 +478,8 @@ class Search {
 
   // The edges of one body that the heights do not rule out: those of the faces that reach the
   // threshold, and for gaps above zero all that edgeMatters().
-  int edgesThatMatter(const HullView& hull, const Heights& heights, const Numbers& above,
-                      int aboveCount, const Points& points, Numbers& list) const {
+  int edgesThatMatter(const HullView& hull, const Heights& heights, const Alive& alive,
+                      const Points& points, Numbers& list) const {
     const Real toReach = threshold();
     int count = 0;
     if (toReach > 0) {
@@ -474,22 +489,20 @@ class Search {
       }
       return count;
     }
-    const auto height = [&](int f, const Vector3& point) {
-      return hull.faces[f].normal.dot(point) - hull.faces[f].offset;
-    };
-    for (int k = 0; k < aboveCount; ++k) {
-      if (heights[above[k]] < toReach) continue;
-      const HullFace& face = hull.faces[above[k]];
+    for (int k = 0; k < alive.count; ++k) {
+      const std::int32_t f = alive.faces[k];
+      if (heights[f] < toReach) continue;
+      const HullFace& face = hull.faces[f];
       for (int h = face.firstHalfEdge; h < face.firstHalfEdge + face.count; ++h) {
         const HullHalfEdge& side = hull.halfEdges[h];
         const std::int32_t other = hull.halfEdges[side.twin].face;
         // An edge between two such faces is met twice, and taken once.
-        if ((heights[other] >= toReach) & (above[k] > other)) continue;
-        // Any other point rules it out as well, if it lies deep enough below both faces.
+        if ((heights[other] >= toReach) & (f > other)) continue;
+        // Any other point that lies too deep for both faces rules the edge out.
         bool ruledOut = false;
-        for (int p = 0; p < points.count; ++p) {
-          ruledOut |= (height(other, points.point[p]) < toReach) &
-                      (height(above[k], points.point[p]) < toReach);
+        for (int p = 0; p < points.count && !ruledOut; ++p) {
+          ruledOut = ((alive.below[k] >> p) & 1) != 0 &&
+                     isBelow(hull.faces[other], points.point[p], toReach);
         }
         list[count] = side.edge;
         count += ruledOut ? 0 : 1;
@@ -498,10 +511,10 @@ class Search {
     return count;
   }
 
-  void tryEdges(const Numbers& aboveA, int facesA, const Numbers& aboveB, int facesB) {
+  void tryEdges(const Alive& aliveA, const Alive& aliveB) {
     Numbers edgesA(2 * pair_.a.edgeCount + 1), edgesB(2 * pair_.b.edgeCount + 1);
-    const int countA = edgesThatMatter(pair_.a, onA_, aboveA, facesA, pointsOfB_, edgesA);
-    const int countB = edgesThatMatter(pair_.b, onB_, aboveB, facesB, pointsOfA_, edgesB);
+    const int countA = edgesThatMatter(pair_.a, onA_, aliveA, pointsOfB_, edgesA);
+    const int countB = edgesThatMatter(pair_.b, onB_, aliveB, pointsOfA_, edgesB);
     Scratch<Arc, 32> arcsB(countB);
     for (int k = 0; k < countB; ++k) arcsB[k] = arcOfB(edgesB[k]);
     Numbers crossing(countB + 1);
