@@ -214,6 +214,8 @@ TEST_CASE("no verdict on two tetrahedra differs from CGAL's") {
             UNSCOPED_INFO("pair " << i << ": separation " << said.separation << ", CGAL says "
                                   << (truth ? "apart" : "not apart"));
         }
+        // A body that lies in its own place has no side to be pushed to.
+        if (a == b) continue;
         const auto other = carom::separateHulls(*hullB, Pose(), *hullA, Pose());
         notSwapped += other.verdict != said.verdict || other.axis != -said.axis ||
                       other.separation != said.separation;
