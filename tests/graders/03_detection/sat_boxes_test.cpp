@@ -141,11 +141,13 @@ TEST_CASE("any") {
     // Of boxes that are apart corner to corner many axes show a gap, and the best is a matter of
     // which are tried.
     if (best.gap > 0) continue;
-    GRADE(satBoxes(a, A, b, B).separation, best.gap, within(1e-9, "what the judge's search sees"),
+    GRADE(satBoxes(a, A, b, B).separation, best.gap,
+          within(1e-9, "how finely the expected value was searched"),
           given("half extents of a", a.halfExtents, "m"), given("A", A),
           given("half extents of b", b.halfExtents, "m"), given("B", B), unit("m"));
     if (!best.isUnique()) continue;
-    GRADE(satBoxes(a, A, b, B).axis, best.axis, within(1e-8, "what the judge's search sees"),
+    GRADE(satBoxes(a, A, b, B).axis, best.axis,
+          within(1e-8, "how finely the expected value was searched"),
           given("half extents of a", a.halfExtents, "m"), given("A", A),
           given("half extents of b", b.halfExtents, "m"), given("B", B),
           about("a unit vector from A to B"));
