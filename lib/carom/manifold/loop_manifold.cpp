@@ -10,40 +10,47 @@ Real doubledArea(const ClipCorner& a, const ClipCorner& b, const ClipCorner& c) 
 }  // namespace
 
 void reduceLoop(const ClipCorner* loop, const int* index, int n, int* chosen) {
+  // Twice around, so that no index has to be wrapped.
+  Real x[2 * kMostCorners], y[2 * kMostCorners];
+  for (int i = 0; i < n; ++i) {
+    x[i] = x[i + n] = loop[index[i]].x;
+    y[i] = y[i + n] = loop[index[i]].y;
+  }
   const auto corner = [&](int i) -> const ClipCorner& { return loop[index[i]]; };
+  // A choice must be better by a millionth: of equally good ones the first stays, whatever the last
+  // digits of the corners are.
+  constexpr Real kClearly = 1e-6;
   int kept[4] = {0, 1, 2, 3};
   Real largest = 0;
   Real reach = 0;
-  for (int i = 0; i < n; ++i) {
-    for (int k = i + 2; k < n; ++k) {
-      const Real dx = corner(k).x - corner(i).x, dy = corner(k).y - corner(i).y;
+  for (int i = 0; i + 2 < n; ++i) {
+    // Around a convex loop the farthest corners j and l on either side of the diagonal i-k move on
+    // as k does; so neither has to be searched from the start.
+    int j = i + 1, l = i + 3;
+    for (int k = i + 2; k < n && k - i < n - 1; ++k) {
+      const Real dx = x[k] - x[i], dy = y[k] - y[i];
       reach = std::max(reach, dx * dx + dy * dy);
-      if (i == 0 && k == n - 1) continue;  // neighbours: nothing on the far side
-      // The farthest corners on either side of the diagonal.
-      int j = i + 1, l = k + 1 < n ? k + 1 : 0;
-      Real onJ = -1, onL = -1;
-      for (int m = 0; m < n; ++m) {
-        if (m == i || m == k) continue;
-        const Real area =
-            std::abs(dx * (corner(m).y - corner(i).y) - dy * (corner(m).x - corner(i).x));
-        const bool between = m > i && m < k;
-        if (between && area > onJ) {
-          onJ = area;
-          j = m;
-        } else if (!between && area > onL) {
-          onL = area;
-          l = m;
+      const auto distance = [&](int m) {
+        return std::abs(dx * (y[m] - y[i]) - dy * (x[m] - x[i]));
+      };
+      const auto farthest = [&](int m, int end) {
+        Real here = distance(m);
+        for (; m + 1 < end; ++m) {
+          const Real next = distance(m + 1);
+          if (!(next > here * (1 + kClearly)) && here > 0) break;
+          here = next;
         }
-      }
-      // A choice must be larger by a millionth: of equally good ones the first stays, whatever the
-      // last digits of the corners are.
-      constexpr Real kClearly = 1e-6;
-      if (onJ + onL > largest * (1 + kClearly)) {
-        largest = onJ + onL;
+        return m;
+      };
+      j = farthest(j, k);
+      l = farthest(std::max(l, k + 1), i + n);
+      const Real total = distance(j) + distance(l);
+      if (total > largest * (1 + kClearly)) {
+        largest = total;
         kept[0] = i;
         kept[1] = j;
         kept[2] = k;
-        kept[3] = l;
+        kept[3] = l < n ? l : l - n;
       }
     }
   }

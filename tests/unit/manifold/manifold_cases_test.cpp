@@ -14,6 +14,7 @@
 #include "carom/manifold/edge_contact.hpp"
 #include "carom/manifold/face_contact.hpp"
 #include "carom/manifold/least_displacement.hpp"
+#include "carom/manifold/loop_manifold.hpp"
 #include "carom/manifold/orient_normal.hpp"
 #include "carom/manifold/plain_manifold.hpp"
 #include "carom/manifold/polygon_centroid.hpp"
@@ -375,4 +376,43 @@ TEST_CASE("names of contacts: different features, different names, swapped with 
   for (std::size_t k = 0; k < ids.size(); ++k) CHECK(other[k] == swappedId(ids[k]));
   const std::vector<FeaturePair> large = {{{FeatureKind::vertex, 16384}, {}}};
   CHECK_THROWS_WITH(contactIds(large), ContainsSubstring("16384"));
+}
+
+TEST_CASE("the fast choice of four corners spans what the plain one spans") {
+  Random random(71);
+  Real worst = 0;
+  int dropsDeepest = 0;
+  for (int n = 0; n < 500; ++n) {
+    // Corners on an ellipse, counter-clockwise.
+    const Real a = random.between(0.3, 1), b = random.between(0.3, 1);
+    detail::ClipCorner loop[32];
+    Points corners;
+    std::vector<Real> separations;
+    int index[32];
+    int count = 0;
+    for (Real angle = random.between(0, 0.5); angle < 6.2 && count < 32;
+         angle += random.between(0.1, 0.9)) {
+      loop[count] = {a * std::cos(angle), b * std::sin(angle), random.between(-1, 0), 0};
+      corners.emplace_back(loop[count].x, loop[count].y, 0);
+      separations.push_back(loop[count].height);
+      index[count] = count;
+      ++count;
+    }
+    int chosen[4];
+    detail::reduceLoop(loop, index, count, chosen);
+    Points fast, plain;
+    bool deepestThere = false;
+    const Real deepest = *std::min_element(separations.begin(), separations.end());
+    for (const int i : chosen) {
+      fast.push_back(corners[static_cast<std::size_t>(i)]);
+      deepestThere |= separations[static_cast<std::size_t>(i)] == deepest;
+    }
+    for (const int i : reduceContacts(corners, separations)) {
+      plain.push_back(corners[static_cast<std::size_t>(i)]);
+    }
+    worst = std::max(worst, std::abs(polygonCentroid(fast).area / polygonCentroid(plain).area - 1));
+    dropsDeepest += deepestThere ? 0 : 1;
+  }
+  CHECK(worst <= 2e-6);
+  CHECK(dropsDeepest == 0);
 }
