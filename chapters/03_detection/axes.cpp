@@ -43,8 +43,9 @@ void addAxes(const std::string& owner, const std::vector<Vector2>& corners,
     const Vector2 edge = corners[(i + 1) % corners.size()] - corners[i];
     const Vector2 normal = Vector2(edge.y(), -edge.x()).normalized();
     const Vector3 axis(normal.x(), normal.y(), 0);
-    axes.push_back({"edge " + std::to_string(i) + " of " + owner, normal,
-                    carom::project(lifted(kA), axis), carom::project(lifted(kB), axis)});
+    const Interval onA = carom::project(lifted(kA), axis);
+    const Interval onB = carom::project(lifted(kB), axis);
+    axes.push_back({"edge " + std::to_string(i) + " of " + owner, normal, onA, onB});
   }
 }
 //! [axes]
@@ -108,7 +109,7 @@ int main(int argc, char** argv) {
             << (best.kind == carom::AxisKind::faceOfA ? best.featureA : best.featureB) << " of "
             << (best.kind == carom::AxisKind::faceOfA ? 'A' : 'B') << ", turned to ("
             << carom::io::Cell(best.axis.x()).text(carom::io::fixed(3)) << ", "
-            << carom::io::Cell(best.axis.y()).text(carom::io::fixed(3)) << "): from A to B.\n";
+            << carom::io::Cell(best.axis.y()).text(carom::io::fixed(3)) << "),\nfrom A to B.\n";
   // Left the edges of A, right those of B.
   writePanels(folder / "axes.svg",
               {panels[0], panels[3], panels[1], panels[4], panels[2], panels[5]}, 2, 380, 360);

@@ -1,5 +1,5 @@
 // Which axes do two boxes need?
-//
+
 // First two cubes that cross edge over edge, just apart and just overlapping: no face shows which.
 // Then cubes with parallel edges: their cross products have no direction but rounding, and a program
 // that does not know it believes them.
@@ -45,8 +45,9 @@ Best withoutGuard(const Box& a, const Pose& A, const Box& b, const Pose& B, bool
   Best best;
   const auto tryAxis = [&](const Vector3& axis, bool isEdge) {
     if (axis.isZero(0)) return;
-    const Real gap =
-        carom::gapBetween(carom::project(corners(a, A), axis), carom::project(corners(b, B), axis));
+    const carom::Interval onA = carom::project(corners(a, A), axis);
+    const carom::Interval onB = carom::project(corners(b, B), axis);
+    const Real gap = carom::gapBetween(onA, onB);
     if (gap > best.gap) best = {gap, isEdge};
   };
   for (int i = 0; i < 3; ++i) tryAxis(A.R_WB.col(i), false);

@@ -39,7 +39,8 @@ Cloud top(const std::string& feature) {
   return {{-0.8, -0.6, 0}, {0.9, -0.5, 0}, {0, 0.9, 0}};  // face
 }
 
-// B is a body like A, turned upside down with the edge across, and put `gap` above A.
+// B is a body like A, turned upside down with the edge across,
+// and put `gap` above A.
 Cloud upsideDown(const Cloud& points, Real gap) {
   Cloud result;
   for (const Vector3& p : points) result.push_back({p.y(), p.x(), gap - p.z()});

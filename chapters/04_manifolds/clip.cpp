@@ -62,12 +62,13 @@ void printCubes() {
   const Loop faceOfB = {{0.9, 0.5, -1}, {0.9, 0.5, 1}, {0.9, 2.5, 1}, {0.9, 2.5, -1}};
   const Vector3 n = Vector3::UnitX();
   //! [cubes]
-  Loop common;
-  for (const carom::FacePoint& point : carom::faceContact(faceOfA, n, faceOfB)) {
-    common.push_back(point.position - point.separation / 2 * n);  // halfway between the faces
+  Loop common;  // halfway between the two faces
+  for (const auto& [position, separation] : carom::faceContact(faceOfA, n, faceOfB)) {
+    common.push_back(position - separation / 2 * n);
   }
   const Vector3 center = carom::polygonCentroid(common).centroid;
-  const Vector3 onAxis = 0.95 * n;  // amid the overlap, on the axis through A's centre
+  // Amid the overlap, on the axis through A's centre.
+  const Vector3 onAxis = 0.95 * n;
   //! [cubes]
   carom::io::Table table;
   table.column("contact point");

@@ -56,25 +56,29 @@ std::vector<Point> contact(const Box& box, const std::string& rule) {
   // Where the lower side of the box comes out of the floor, if it does.
   const Real part = high.depth < 0 ? deep.depth / (deep.depth - high.depth) : 1;
   const Point end{deep.x + part * (high.x - deep.x), std::max(high.depth, 0.0)};
-  if (rule == "middle of the area") return {{(deep.x + end.x) / 2, (deep.depth + end.depth) / 2}};
+  const Point middle{(deep.x + end.x) / 2, (deep.depth + end.depth) / 2};
+  if (rule == "middle of the area") return {middle};
   return {deep, end};
 }
 //! [rules]
 
 //! [step]
-// One step: gravity, then impulses (per kilogram) until no point moves into the floor.
+// One step: gravity, then impulses (per kilogram) until no point moves
+// into the floor.
 void step(Box& box, const std::string& rule) {
   box.vy -= kGravity * kStep;
   const std::vector<Point> points = contact(box, rule);
   std::vector<Real> impulses(points.size(), 0);
   for (int round = 0; round < 20; ++round) {
     for (std::size_t i = 0; i < points.size(); ++i) {
-      const Real wanted = kPush * std::max(points[i].depth - kSlop, 0.0) / kStep;
-      const Real velocity = box.vy + box.spin * points[i].x;
-      const Real j = (wanted - velocity) / (1 + points[i].x * points[i].x / kMoment);
-      const Real sum = std::max(impulses[i] + j, 0.0);  // a floor pushes and never pulls
+      const auto& [x, depth] = points[i];
+      const Real wanted = kPush * std::max(depth - kSlop, 0.0) / kStep;
+      const Real velocity = box.vy + box.spin * x;
+      const Real j = (wanted - velocity) / (1 + x * x / kMoment);
+      // A floor pushes and never pulls.
+      const Real sum = std::max(impulses[i] + j, 0.0);
       box.vy += sum - impulses[i];
-      box.spin += points[i].x * (sum - impulses[i]) / kMoment;
+      box.spin += x * (sum - impulses[i]) / kMoment;
       impulses[i] = sum;
     }
   }

@@ -42,7 +42,7 @@ carom::io::Pose poseOfB(const Scene& scene, const Vector3& cell, Real time) {
 
 void printZoo() {
   carom::io::Table table;
-  table.column("A").column("B").column("manifolds").column("points");
+  table.column("A").column("B").column("B is").column("parts").column("points");
   table.column("depth [mm]", carom::io::fixed(1));
   table.column("area [m^2]", carom::io::fixed(4));
   for (const Scene& scene : zoo::scenes()) {
@@ -56,7 +56,8 @@ void printZoo() {
       for (int i = 0; i < manifold.count; ++i)
         depth = std::max(depth, -manifold.points[i].separation);
     }
-    table.row({scene.a.name, scene.b.name, manifolds.size(), points, 1000 * depth, area});
+    table.row(
+        {scene.a.name, scene.b.name, scene.how, manifolds.size(), points, 1000 * depth, area});
   }
   std::cout << table;
 }

@@ -76,7 +76,8 @@ void inside(carom::io::Table& table) {
                   box({0.25, 0.25, 0.25}, E, {0.75, 0.9, 0.9}),
                   {Vector3::UnitX(), Vector3::UnitY(), Vector3::UnitZ()}};
   //! [length]
-  const Interval a = carom::project(pair.a, pair.axes[0]), b = carom::project(pair.b, pair.axes[0]);
+  const Interval a = carom::project(pair.a, pair.axes[0]);
+  const Interval b = carom::project(pair.b, pair.axes[0]);
   const Real shared = std::min(a.high, b.high) - std::max(a.low, b.low);
   //! [length]
   report("one inside: length of overlap", pair, -shared * pair.axes[0], table);

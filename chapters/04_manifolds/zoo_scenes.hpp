@@ -32,6 +32,7 @@ struct Kind {
 
 /// One body on another.
 struct Scene {
+  std::string how;        ///< B is on A
   Kind a;                 ///< below
   Kind b;                 ///< above
   Real height;            ///< of B's origin over the top of A, if they only touched [m]
@@ -71,21 +72,21 @@ inline std::vector<Scene> scenes() {
       y90 = about(Vector3::UnitY(), 2 * eighth), z45 = about(Vector3::UnitZ(), eighth);
   const Quaternion corner =
       carom::hamiltonProduct(about(Vector3::UnitY(), carom::arctangent(1 / kRoot2)), x45);
-  return {{floor, ball, kHalf},
-          {floor, box, kHalf},
-          {floor, box, kRoot2 * kHalf, level, x45},
-          {floor, box, kRoot3 * kHalf, level, corner},
-          {floor, cylinder, kHalf, level, y90},
-          {slab, box, kHalf, level, z45, 0.2},
-          {slab, gem, 0, level, level, 0.2},
-          {slab, capsule, 0.2, level, y90, 0.2},
-          {slab, cylinder, 0.25, level, level, 0.2},
-          {slab, legs, 0.2, level, level, 0.2},
-          {box, box, kHalf, level, z45, kHalf, 0},
-          {box, box, kRoot2 * kHalf, y45, x45, kRoot2 * kHalf, 0},
-          {capsule, ball, kHalf, y90, level, 0.2, 0},
-          {cylinder, cylinder, 0.25, level, level, 0.25},
-          {ball, box, kHalf, level, level, kHalf, 0}};
+  return {{"on a point", floor, ball, kHalf},
+          {"flat", floor, box, kHalf},
+          {"on a corner", floor, box, kRoot3 * kHalf, level, corner},
+          {"lying", floor, cylinder, kHalf, level, y90},
+          {"lying", slab, capsule, 0.2, level, y90, 0.2},
+          {"on an edge", slab, box, kRoot2 * kHalf, level, x45, 0.2},
+          {"flat, turned", slab, box, kHalf, level, z45, 0.2},
+          {"flat", slab, gem, 0, level, level, 0.2},
+          {"standing", slab, cylinder, 0.25, level, level, 0.2},
+          {"standing", slab, legs, 0.2, level, level, 0.2},
+          {"flat, turned", box, box, kHalf, level, z45, kHalf, 0},
+          {"edge on edge", box, box, kRoot2 * kHalf, y45, x45, kRoot2 * kHalf, 0},
+          {"on a line", capsule, ball, kHalf, y90, level, 0.2, 0},
+          {"standing", cylinder, cylinder, 0.25, level, level, 0.25},
+          {"on a ball", ball, box, kHalf, level, level, kHalf, 0}};
 }
 
 }  // namespace zoo
