@@ -155,13 +155,14 @@ TEST_CASE("any") {
           given("b, a tetrahedron", b, "m"), given("B", B));
     if (best.gap > 0) continue;
     GRADE(satHulls(hullA, A, hullB, B).separation, best.gap,
-          within(1e-9, "what the judge's search sees"), given("a, a tetrahedron", a, "m"),
-          given("A", A), given("b, a tetrahedron", b, "m"), given("B", B), unit("m"));
+          within(1e-9, "how finely the expected value was searched"),
+          given("a, a tetrahedron", a, "m"), given("A", A), given("b, a tetrahedron", b, "m"),
+          given("B", B), unit("m"));
     if (!best.isUnique()) continue;
     GRADE(satHulls(hullA, A, hullB, B).axis, best.axis,
-          within(1e-7, "what the judge's search sees"), given("a, a tetrahedron", a, "m"),
-          given("A", A), given("b, a tetrahedron", b, "m"), given("B", B),
-          about("a unit vector from A to B"));
+          within(1e-7, "how finely the expected value was searched"),
+          given("a, a tetrahedron", a, "m"), given("A", A), given("b, a tetrahedron", b, "m"),
+          given("B", B), about("a unit vector from A to B"));
   }
 }
 
