@@ -8,6 +8,7 @@
 #include "carom/detection/core_shape.hpp"
 #include "carom/detection/expanding_polytope.hpp"
 #include "carom/detection/gjk_loop.hpp"
+#include "carom/detection/parallel_axes.hpp"
 #include "carom/detection/segment_segment.hpp"
 
 namespace carom {
@@ -161,8 +162,12 @@ Separation gjkOfCores(const CoreShape& a, const Pose& A, const CoreShape& b, con
   const auto thin = [](const CoreShape& core) {
     return core.kind == CoreKind::point || core.kind == CoreKind::segment;
   };
-  Separation result =
-      thin(a) && thin(b) ? ofThinCores(a, A, b, B, p_AB) : ofCores(a, A, b, B, p_AB, cache);
+  Separation result;
+  if (thin(a) && thin(b)) {
+    result = ofThinCores(a, A, b, B, p_AB);
+  } else if (!separateParallel(a, A.R_WB, b, B.R_WB, p_AB, result)) {
+    result = ofCores(a, A, b, B, p_AB, cache);
+  }
   result.separation -= a.radius + b.radius;
   result.pointA += A.p_WB + a.radius * result.normal;
   result.pointB += A.p_WB - b.radius * result.normal;

@@ -431,6 +431,54 @@ TEST_CASE("the distance of hulls is that of their nearest features, by trying al
   }
 }
 
+TEST_CASE(
+    "cylinders and capsules with parallel axes: beside, above and inside each other, exactly") {
+  const Shape wide = Cylinder{2, 1}, thin = Cylinder{0.5, 3}, capsule = Capsule{0.25, 1};
+  CHECK(signedDistance(wide, Pose{}, thin, at(3, 4, 0)).separation == 2.5);
+  CHECK(signedDistance(wide, Pose{}, thin, at(1, 0, 5)).separation == 1);
+  CHECK(signedDistance(wide, Pose{}, thin, at(2.5 + 3, 0, 4 + 4)).separation == 5);
+  CHECK(signedDistance(wide, Pose{}, thin, at(0, 0, 0)).separation == -2.5);
+  CHECK(signedDistance(thin, Pose{}, wide, at(0, 0, 3.75)).separation == -0.25);
+  CHECK(signedDistance(thin, Pose{}, wide, at(0, 0, 3.75)).normal == Vector3(0, 0, 1));
+  CHECK(signedDistance(wide, Pose{}, capsule, at(4, 0, 1.5)).separation == 1.75);
+  CHECK(signedDistance(capsule, Pose{}, wide, at(0, 0, 0)).separation == -2.25);
+  CHECK(signedDistance(capsule, Pose{}, wide, at(0, 0, 0)).status == SeparationStatus::exact);
+
+  CaseNumbers random(38);
+  for (int i = 0; i < 2000; ++i) {
+    const auto size = [&] { return random.between(0.1, 1.5); };
+    ConvexShape a = Cylinder{size(), size()}, b = Capsule{size(), size()};
+    if (i % 3 == 0) b = Cylinder{size(), size()};
+    if (i % 2 == 0) std::swap(a, b);
+    const Pose A = random.pose(1);
+    Pose B = A;
+    B.p_WB += random.vectorBetween(-2, 2);
+    if (i % 4 == 0) B.R_WB.rightCols(2) *= -1;  // head down
+    const Separation s = signedDistance(a, A, b, B);
+    REQUIRE(s.status == SeparationStatus::exact);
+    checkAnswer(a, A, b, B, s, 32 * kUlp);
+    for (int k = 0; k < 20 && s.separation < 0; ++k) {
+      REQUIRE(reach(a, A, b, B, random.direction()) >= -s.separation - 32 * kUlp);
+    }
+    // Leaning by a hair, GJK and EPA say the same, to how far the hair moves things.
+    const Pose leaning = composed(B, poseOf({1, 1e-9, 0, 0}, {0, 0, 0}));
+    REQUIRE(std::abs(signedDistance(a, A, b, leaning).separation - s.separation) <= 1e-8);
+  }
+}
+
+TEST_CASE("a cylinder that stands on a box, upright or leaning, is as deep as its lowest point") {
+  const Shape cylinder = Cylinder{0.5, 0.7}, box = Box{{5, 4, 1}};
+  for (const Real depth : {-0.1, -1e-6, 1e-9, 1e-3}) {
+    for (const Real lean : {0.0, 1e-12, 1e-9, 1e-6, 1e-3, 0.1, 0.7}) {
+      const Real height = 1 + 0.7 * std::cos(lean) + 0.5 * std::sin(lean) - depth;
+      const Pose pose = poseOf({std::cos(lean / 2), 0, std::sin(lean / 2), 0}, {0.3, 0.2, height});
+      const Separation s = signedDistance(box, Pose{}, cylinder, pose);
+      CHECK(std::abs(s.separation + depth) <= 1e-14);
+      CHECK((s.normal - Vector3(0, 0, 1)).norm() <= 1e-12);
+    }
+  }
+}
+
 TEST_CASE("a cache changes nothing but the time") {
   CaseNumbers random(35);
   for (const ConvexShape& a : zoo()) {
