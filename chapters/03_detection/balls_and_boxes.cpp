@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "carom/detection/aabb_of_points.hpp"
 #include "carom/detection/aabb_overlap.hpp"
 #include "carom/detection/ball_ball.hpp"
 #include "carom_io/table.hpp"
@@ -70,8 +71,10 @@ void printBoxes() {
   grid_bodies::Draws draws(5);
   std::vector<Aabb<3>> boxes(1000);
   for (Aabb<3>& box : boxes) {
-    for (int i = 0; i < 3; ++i) box.low(i) = draws.below(100);
-    for (int i = 0; i < 3; ++i) box.high(i) = box.low(i) + 1 + draws.below(10);
+    Vector3 corner, size;
+    for (int i = 0; i < 3; ++i) corner(i) = draws.below(100);
+    for (int i = 0; i < 3; ++i) size(i) = 1 + draws.below(10);
+    box = carom::aabbOfPoints(std::vector<Vector3>{corner + size, corner});
   }
   int all = 0, by23 = 0, by24 = 0, overlapping = 0, touching = 0;
   for (std::size_t i = 0; i < boxes.size(); ++i) {

@@ -14,6 +14,7 @@
 #include "carom/manifold/clip_polygon.hpp"
 #include "carom/manifold/face_contact.hpp"
 #include "carom/manifold/polygon_centroid.hpp"
+#include "carom/manifold/reduce_contacts.hpp"
 #include "carom_io/table.hpp"
 
 using carom::Real;
@@ -109,6 +110,12 @@ int main(int argc, char** argv) {
   panels.back().xRange(0, 4).yRange(0, 3);
   panels.back().label({center.x() - 0.1, center.y()}, "o").label({mean.x() - 0.1, mean.y()}, "x");
   writePanels(folder / "clip.svg", panels, 2, 380, 330);
+
+  Loop four;
+  for (const int i : carom::reduceContacts(left, std::vector<Real>(left.size(), 0))) {
+    four.push_back(left[static_cast<std::size_t>(i)]);
+  }
+  table.row({"the best four", four.size(), carom::polygonCentroid(four).area});
 
   std::cout << "A quadrilateral cut to a rectangle of 4 m by 3 m\n\n" << table;
   const auto text = [](Real v) { return carom::io::Cell(v).text(carom::io::fixed(3)); };

@@ -5,6 +5,7 @@
 // billionth, and the names of its points.
 
 #include <algorithm>
+#include <cstdint>
 #include <cstdio>
 #include <filesystem>
 #include <iostream>
@@ -13,11 +14,13 @@
 
 #include "carom/core/elementary.hpp"
 #include "carom/manifold/collide.hpp"
+#include "carom/manifold/contact_ids.hpp"
 #include "carom/rotation/hamilton_product.hpp"
 #include "carom_io/recorder.hpp"
 #include "carom_io/table.hpp"
 #include "zoo_scenes.hpp"
 
+using carom::FeatureKind;
 using carom::Manifold;
 using carom::PartManifold;
 using carom::Real;
@@ -62,6 +65,12 @@ void printZoo() {
   std::cout << table;
 }
 
+std::string hex(std::uint32_t id) {
+  char text[16];
+  std::snprintf(text, sizeof text, "%08x", static_cast<unsigned>(id));
+  return text;
+}
+
 //! [names]
 void printNames() {
   carom::io::Table table;
@@ -71,14 +80,17 @@ void printNames() {
     const carom::Pose A, B = carom::poseOf({1, 0, tilt / 2, 0}, {0.3, 0.2, 1 - 1e-6});
     const Manifold manifold = carom::collide(box, A, box, B);
     std::string names;
-    for (int i = 0; i < manifold.count; ++i) {
-      char name[16];
-      std::snprintf(name, sizeof name, "%08x ", static_cast<unsigned>(manifold.points[i].id));
-      names += name;
-    }
-    table.row({tilt, names.substr(0, names.size() - 1)});
+    for (int i = 0; i < manifold.count; ++i)
+      names += (i > 0 ? " " : "") + hex(manifold.points[i].id);
+    table.row({tilt, names});
   }
   std::cout << table;
+  const carom::FeaturePair cornerOnFace{{FeatureKind::face, 5}, {FeatureKind::vertex, 0}};
+  const carom::FeaturePair edgeOverEdge{{FeatureKind::edge, 6}, {FeatureKind::edge, 8}};
+  const std::vector<std::uint32_t> ids =
+      carom::contactIds(std::vector<carom::FeaturePair>{cornerOnFace, edgeOverEdge});
+  std::cout << '\n' << hex(ids[0]) << ": corner 0 of B on face 5 of A\n";
+  std::cout << hex(ids[1]) << ": edge 8 of B over edge 6 of A\n";
 }
 //! [names]
 

@@ -12,6 +12,7 @@
 #include "carom/core/cross.hpp"
 #include "carom/core/elementary.hpp"
 #include "carom/detection/project.hpp"
+#include "carom/manifold/edge_contact.hpp"
 #include "carom/manifold/least_displacement.hpp"
 #include "carom/manifold/orient_normal.hpp"
 #include "carom/rotation/quaternion_to_matrix.hpp"
@@ -109,17 +110,27 @@ void crossing(carom::io::Table& table) {
   for (int i = 0; i < 3; ++i) pair.axes.push_back(B.col(i));
   const carom::LeastDisplacement face = carom::leastDisplacement(pair.axes, pair.a, pair.b);
   for (int k = 0; k < 9; ++k) pair.axes.push_back(carom::cross(A.col(k / 3), B.col(k % 3)));
-  const Vector3 least = best(pair);
 
   // The edge of A runs along its second axis, between two faces whose normals look along n.
-  const Vector3 n = least.normalized();
+  const Vector3 n = best(pair).normalized();
   const auto towards = [&](const Vector3& axis) -> Vector3 {
     return axis.dot(n) < 0 ? Vector3(-axis) : axis;
   };
   const Vector3 mean = (towards(A.col(0)) + towards(A.col(2))).normalized();
   report("two edges: the best face", pair, -face.separation * face.normal, table);
   report("two edges: mean of A's faces", pair, wayAlong(pair, mean) * mean, table);
-  report("two edges: cross product", pair, least, table);
+
+  // The edges that meet: the one of A that lies farthest along n, the one of B farthest against it.
+  const auto ends = [](const Corners& corners, const Vector3& direction) {
+    std::vector<Vector3> sorted = corners;
+    std::sort(sorted.begin(), sorted.end(), [&](const Vector3& p, const Vector3& q) {
+      return direction.dot(p) > direction.dot(q);
+    });
+    return sorted;
+  };
+  const Corners a = ends(pair.a, n), b = ends(pair.b, -n);
+  const carom::EdgeContact contact = carom::edgeContact(a[0], a[1], b[0], b[1], n);
+  report("two edges: cross product", pair, -contact.separation * contact.normal, table);
 }
 
 int main() {
