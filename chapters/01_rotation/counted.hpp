@@ -2,9 +2,9 @@
 // How much work is a formula?
 //
 // Time depends on the machine; the number of multiplications and additions does not. A formula that
-// is written for any kind of number can be run with this one, which counts what is done to it. Signs
-// and copies are free. What it does not show: how long the processor waits for memory, and how many
-// of the operations it does at once.
+// is written for any kind of number can be run with this one, which counts what is done to it.
+// Signs and copies are free. What it does not show: how long the processor waits for memory, and
+// how many of the operations it does at once.
 
 #include <cmath>
 

@@ -1,8 +1,9 @@
 // How fast does the error of a method fall when the steps get shorter?
 //
-// A body cones: its axis moves round a cone, and its angular velocity, measured in its own axes, turns
-// with it. Three methods follow it for ten seconds, with more and more steps. The first takes the
-// angular velocity at the beginning of each step, the second in the middle, the third at three moments.
+// A body cones: its axis moves round a cone, and its angular velocity, measured in its own axes,
+// turns with it. Three methods follow it for ten seconds, with more and more steps. The first takes
+// the angular velocity at the beginning of each step, the second in the middle, the third at three
+// moments.
 
 #include <array>
 #include <cmath>

@@ -109,7 +109,6 @@ int main(int argc, char** argv) {
   const std::filesystem::path folder = argc > 1 ? argv[1] : ".";
   printCentres();
   printWork(folder);
-
   const TriangleMesh mesh = halfBall(6, 12);
   const MassProperties exact = carom::massProperties(mesh, kDensity);
   carom::io::Table table;

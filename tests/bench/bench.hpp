@@ -2,10 +2,10 @@
 // How long does something take, and compared with what?
 //
 // What is measured is the processor time of this process on one core, so that other programs on the
-// machine count little. Every case is repeated until a run lasts long enough to be read; the runs of
-// all cases take turns, so that a processor that gets slower or faster does so for all of them; the
-// median of the runs is reported. A figure is worth something only beside another one of the same
-// run of the program, so claims are ratios.
+// machine count little. Every case is repeated until a run lasts long enough to be read; the runs
+// of all cases take turns, so that a processor that gets slower or faster does so for all of them;
+// the median of the runs is reported. A figure is worth something only beside another one of the
+// same run of the program, so claims are ratios.
 
 #include <filesystem>
 #include <functional>

@@ -1,7 +1,7 @@
 #pragma once
 // Ways to weigh a mesh that a program might take, beside the library's: written as plainly as they
-// are usually written. Each integrates over the tetrahedra between one point and the triangles; they
-// differ in that point, in the number they compute with, and in how they add.
+// are usually written. Each integrates over the tetrahedra between one point and the triangles;
+// they differ in that point, in the number they compute with, and in how they add.
 
 #include "carom/mass/mass_properties.hpp"
 

@@ -1,6 +1,6 @@
 #pragma once
-// Boost.odeint on the four numbers of a quaternion: Fehlberg's method of order 7(8), which chooses its
-// own steps for a given tolerance.
+// Boost.odeint on the four numbers of a quaternion: Fehlberg's method of order 7(8), which chooses
+// its own steps for a given tolerance.
 
 #include <array>
 #include <boost/numeric/odeint.hpp>

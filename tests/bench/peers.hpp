@@ -1,7 +1,7 @@
 #pragma once
 // Other libraries that weigh meshes, each behind one function, so that the suite knows nothing of
-// their types. Each lives in a shared library of its own: they are compiled with their own flags, and
-// what they inline must not be mixed with ours.
+// their types. Each lives in a shared library of its own: they are compiled with their own flags,
+// and what they inline must not be mixed with ours.
 
 #include <functional>
 

@@ -1,8 +1,8 @@
 // The suite `rotation`: following a body that turns, processor time against error.
 //
-// The body cones: its axis moves round a cone, and its angular velocity, seen in its own axes, turns
-// with it (cases R8b and, for a constant angular velocity, R8). Where it faces after ten seconds is
-// known in closed form.
+// The body cones: its axis moves round a cone, and its angular velocity, seen in its own axes,
+// turns with it (cases R8b and, for a constant angular velocity, R8). Where it faces after ten
+// seconds is known in closed form.
 
 #include <algorithm>
 #include <cmath>

@@ -1,11 +1,11 @@
 #pragma once
 // Ways to follow a body whose angular velocity is known at every time, in the body's axes: what a
-// program might do, beside what the library does. A step from the orientation q at time t to the one
-// at t + h; body to world, so a turn multiplies from the right.
+// program might do, beside what the library does. A step from the orientation q at time t to the
+// one at t + h; body to world, so a turn multiplies from the right.
 //
-// Euler and Runge-Kutta treat the quaternion as four numbers; the others multiply by a turn. Magnus 4
-// after Blanes, Casas and Ros (BIT 40, 2000), the commutator-free method after Celledoni, Marthinsen
-// and Owren (Future Generation Computer Systems 19, 2003).
+// Euler and Runge-Kutta treat the quaternion as four numbers; the others multiply by a turn. Magnus
+// 4 after Blanes, Casas and Ros (BIT 40, 2000), the commutator-free method after Celledoni,
+// Marthinsen and Owren (Future Generation Computer Systems 19, 2003).
 
 #include <cmath>
 

@@ -3,7 +3,8 @@
 // from them.
 //
 // The integrals are Eberly's (Polyhedral Mass Properties, 2002): surface integrals of polynomials
-// in one coordinate after the other, not the sums over tetrahedra that the library uses. Needs CGAL.
+// in one coordinate after the other, not the sums over tetrahedra that the library uses. Needs
+// CGAL.
 
 #include <CGAL/Exact_rational.h>
 

@@ -1,9 +1,9 @@
 #pragma once
 // Four numbers with twice the digits of a double, side by side.
 //
-// The same sums and products as those of DoubleDouble, whose header says where they are from, on four
-// numbers at once: lane by lane they give the same bits. They have few dependencies and no branches,
-// so four cost little more than one. This header is for the library.
+// The same sums and products as those of DoubleDouble, whose header says where they are from, on
+// four numbers at once: lane by lane they give the same bits. They have few dependencies and no
+// branches, so four cost little more than one. This header is for the library.
 // Not handled: quotients; overflow, and products below 1e-290.
 
 #include "carom/mass/four_lanes.hpp"

@@ -50,8 +50,8 @@ inline constexpr Real kThinSolid = 1e-3;
 MassProperties massProperties(const TriangleMesh& mesh, Real density);
 
 /// As massProperties(), for a mesh that checkMesh() has found good already: judging costs several
-/// times as much as weighing, even when it is quick. A mesh that is still bad gives wrong numbers, but no access outside
-/// its arrays.
+/// times as much as weighing, even when it is quick. A mesh that is still bad gives wrong numbers,
+/// but no access outside its arrays.
 /// \param mesh a mesh for which checkMesh() is empty [m]
 /// \param density mass per volume, positive [kg/m^3]
 /// \return as massProperties()

@@ -115,7 +115,8 @@ bool isOnePiece(const TriangleMesh& mesh) {
       ++joins;
     }
   }
-  // A tree of joins over n vertices has n - 1 of them. A vertex that no triangle uses is doubt enough.
+  // A tree of joins over n vertices has n - 1 of them. A vertex that no triangle uses is doubt
+  // enough.
   return joins + 1 == mesh.vertices.size();
 }
 

@@ -17,7 +17,8 @@ using Triangle = std::array<Vector3, 3>;
 using Signs = std::array<int, 3>;
 
 // On which side of the plane of t is p? As orientation(), with two quick ways out of exact
-// arithmetic for what is common in meshes: flat faces along an axis, and flat faces that are turned.
+// arithmetic for what is common in meshes: flat faces along an axis, and flat faces that are
+// turned.
 int side(const Vector3& p, const Vector3& a, const Vector3& b, const Vector3& c) {
   for (int k = 0; k < 3; ++k) {
     if (a[k] == p[k] && b[k] == p[k] && c[k] == p[k]) return 0;
@@ -110,9 +111,9 @@ bool segmentMeetsInPlane(const Vector3& p, const Vector3& q, const Triangle& t, 
 
 // ---- In space.
 
-// The segment p q against a triangle; sp and sq are the sides of its ends. A segment in the plane of
-// the triangle is passed over: of a triangle that crosses this plane, another edge ends at the same
-// points.
+// The segment p q against a triangle; sp and sq are the sides of its ends. A segment in the plane
+// of the triangle is passed over: of a triangle that crosses this plane, another edge ends at the
+// same points.
 bool segmentMeets(const Vector3& p, const Vector3& q, int sp, int sq, const Triangle& t) {
   if (sp * sq > 0 || (sp == 0 && sq == 0)) return false;
   return noneDisagrees({side(p, q, t[0], t[1]), side(p, q, t[1], t[2]), side(p, q, t[2], t[0])});

@@ -1,8 +1,8 @@
 #pragma once
 // Does a surface cut or touch itself?
 //
-// A closed and evenly oriented surface can still pass through itself: every edge is in order, and the
-// part that is inside twice counts twice. No formula for the volume notices.
+// A closed and evenly oriented surface can still pass through itself: every edge is in order, and
+// the part that is inside twice counts twice. No formula for the volume notices.
 // Method: a tree of boxes over the triangles, ordered along a space-filling curve (Morton 1966),
 // leaves the pairs that are near each other. A pair is decided by the signs of determinants alone
 // (after Guigue and Devillers, Journal of Graphics Tools 8(1), 2003): on which side of a triangle's
@@ -36,8 +36,8 @@ struct TrianglePair {
 /// \param most at most this many pairs are looked for: two copies of a mesh in one place have as
 /// many pairs as triangles, and more
 /// \return the pairs, in ascending order; empty for a surface that neither cuts nor touches itself
-/// \throws InvalidInput if the mesh is unusable (requireUsable()), or if its coordinates are further
-/// apart in size than orientation() can take
+/// \throws InvalidInput if the mesh is unusable (requireUsable()), or if its coordinates are
+/// further apart in size than orientation() can take
 /// \ingroup mass
 std::vector<TrianglePair> selfIntersections(const TriangleMesh& mesh,
                                             std::size_t most = kMaxMeshProblems);

@@ -23,9 +23,9 @@ struct Point {
   S x, y, z;
 };
 
-// Adds the tetrahedron (origin, a, b, c); corners are relative to the origin. On the diagonal half of
-// a.x² + b.x² + c.x² + sx² is added, which takes fewer operations (Eberly 2002); complete() makes up
-// for it.
+// Adds the tetrahedron (origin, a, b, c); corners are relative to the origin. On the diagonal half
+// of a.x² + b.x² + c.x² + sx² is added, which takes fewer operations (Eberly 2002); complete()
+// makes up for it.
 template <class S>
 CAROM_INLINE void addTetrahedron(TetrahedronSums<S>& sums, const Point<S>& a, const Point<S>& b,
                                  const Point<S>& c) {

@@ -2,9 +2,9 @@
 // The sums behind massProperties(): over the tetrahedra that a common corner spans with each
 // triangle.
 //
-// Two ways with the same formulas, both on four triangles side by side. The quick one runs in blocks
-// and adds the sums of blocks with compensation. The exact one computes with twice the digits, in 15
-// times the time.
+// Two ways with the same formulas, both on four triangles side by side. The quick one runs in
+// blocks and adds the sums of blocks with compensation. The exact one computes with twice the
+// digits, in 15 times the time.
 // Source: Tonon 2004; compensation after Knuth and Ogita, Rump and Oishi 2005.
 // Not handled: meshes that are not closed. This header is for the library and its tests.
 
