@@ -125,17 +125,20 @@ bool witnessSeparates(const Box& a, const Pose& A, const Box& b, const Pose& B, 
                       const WitnessAxis& witness) {
   const int axis = witness.axis;
   const Vector3 between = B.p_WB - A.p_WB;
+  // Within rounding of the margin the search for the best axis has the word, not the witness.
+  const Real size = a.halfExtents.sum() + b.halfExtents.sum() + between.cwiseAbs().sum();
+  const Real rounding = detail::kEdgeRounding * size;
   if (axis < 3) {
     const Vector3 n = A.R_WB.col(axis);
     const Vector3 onB = B.R_WB.transpose() * n;
     return std::abs(between.dot(n)) - a.halfExtents[axis] - b.halfExtents.dot(onB.cwiseAbs()) >
-           margin;
+           margin + rounding;
   }
   if (axis < 6) {
     const Vector3 n = B.R_WB.col(axis - 3);
     const Vector3 onA = A.R_WB.transpose() * n;
     return std::abs(between.dot(n)) - b.halfExtents[axis - 3] - a.halfExtents.dot(onA.cwiseAbs()) >
-           margin;
+           margin + rounding;
   }
   const int i = (axis - 6) / 3, j = (axis - 6) % 3;
   const Vector3 n = cross(A.R_WB.col(i), B.R_WB.col(j));
@@ -145,8 +148,7 @@ bool witnessSeparates(const Box& a, const Pose& A, const Box& b, const Pose& B, 
                    b.halfExtents.dot(onB.cwiseAbs());
   // Of length sine, so the margin is scaled; a sine near zero only shows rounding.
   const Real sine = n.norm();
-  const Real size = a.halfExtents.sum() + b.halfExtents.sum() + between.cwiseAbs().sum();
-  return sine > detail::kParallelSine && gap > margin * sine + detail::kEdgeRounding * size;
+  return sine > detail::kParallelSine && gap > margin * sine + rounding;
 }
 
 bool boxesAreApart(const Box& a, const Pose& A, const Box& b, const Pose& B, Real margin,

@@ -56,8 +56,7 @@ bool witnessSeparates(const Box& a, const Pose& A, const Box& b, const Pose& B, 
 /// \param B its pose
 /// \param margin not negative [m]
 /// \param witness axis to try first; receives the axis found, or none
-/// \return true if some axis shows a gap above the margin; the same with and without a witness,
-///   except for gaps within rounding of the margin
+/// \return true if some axis shows a gap above the margin; the same with and without a witness
 /// \ingroup detection
 bool boxesAreApart(const Box& a, const Pose& A, const Box& b, const Pose& B, Real margin,
                    WitnessAxis& witness);

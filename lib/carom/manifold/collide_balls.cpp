@@ -2,6 +2,7 @@
 
 #include "carom/core/length.hpp"
 #include "carom/detection/closest_point.hpp"
+#include "carom/detection/gjk.hpp"
 
 namespace carom {
 namespace {
@@ -28,15 +29,34 @@ Manifold collideBalls(const Ball& a, const Pose& A, const Ball& b, const Pose& B
   return manifold;
 }
 
+Manifold detail::collideWithBallOf(const ShapeView& a, const Pose& A, const Ball& b, const Pose& B,
+                                   Real margin) {
+  Manifold manifold;
+  if (const auto* ball = std::get_if<const Ball*>(&a)) {
+    return collideBalls(**ball, A, b, B, margin);
+  }
+  if (const auto* hull = std::get_if<const ConvexHull*>(&a)) {
+    const Separation gap = gjkOfCores(coreOf(**hull), A, coreOf(b), B, nullptr);
+    if (gap.separation <= margin) setPoint(gap.normal, gap.pointA, gap.separation, manifold);
+    return manifold;
+  }
+  // The other kinds are a few numbers, which may be copied.
+  const auto copied = [](const auto* kind) -> ConvexShape {
+    if constexpr (std::is_same_v<std::decay_t<decltype(*kind)>, ConvexHull>) {
+      return Ball{};  // not reached
+    } else {
+      return *kind;
+    }
+  };
+  const SurfacePoint nearest = closestPoint(std::visit(copied, a), A, B.p_WB);
+  const Real separation = nearest.distance - b.radius;
+  if (separation <= margin) setPoint(nearest.normal, nearest.point, separation, manifold);
+  return manifold;
+}
+
 Manifold collideWithBall(const ConvexShape& a, const Pose& A, const Ball& b, const Pose& B,
                          Real margin) {
-  if (const Ball* ball = std::get_if<Ball>(&a)) return collideBalls(*ball, A, b, B, margin);
-  Manifold manifold;
-  const SurfacePoint nearest = closestPoint(a, A, B.p_WB);
-  const Real separation = nearest.distance - b.radius;
-  if (separation > margin) return manifold;
-  setPoint(nearest.normal, nearest.point, separation, manifold);
-  return manifold;
+  return detail::collideWithBallOf(detail::viewOfShape(a), A, b, B, margin);
 }
 
 }  // namespace carom

@@ -115,10 +115,10 @@ void compareLines(const FacingFeature& a, const FacingFeature& b, const Vector3&
 
 }  // namespace
 
-Manifold collideFeatures(const ConvexShape& a, const Pose& A, const ConvexShape& b, const Pose& B,
-                         Real margin) {
+Manifold detail::collideFeaturesOf(const ShapeView& a, const Pose& A, const ShapeView& b,
+                                   const Pose& B, Real margin) {
   Manifold manifold;
-  const Separation gap = gjk(a, A, b, B);
+  const Separation gap = gjkOfCores(coreOfView(a), A, coreOfView(b), B, nullptr);
   if (gap.separation > margin) return manifold;
   manifold.normal = gap.normal;
 
@@ -146,6 +146,11 @@ Manifold collideFeatures(const ConvexShape& a, const Pose& A, const ConvexShape&
   detail::keepDeepest((gap.pointA + gap.pointB) / 2, gap.separation, reach,
                       (onA.cornerNames[0] << 16) | onB.cornerNames[0], manifold);
   return manifold;
+}
+
+Manifold collideFeatures(const ConvexShape& a, const Pose& A, const ConvexShape& b, const Pose& B,
+                         Real margin) {
+  return detail::collideFeaturesOf(detail::viewOfShape(a), A, detail::viewOfShape(b), B, margin);
 }
 
 }  // namespace carom

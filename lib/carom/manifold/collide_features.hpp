@@ -13,6 +13,7 @@
 #include "carom/detection/pose.hpp"
 #include "carom/detection/shapes.hpp"
 #include "carom/manifold/manifold.hpp"
+#include "carom/manifold/shape_view.hpp"
 
 namespace carom {
 
@@ -27,4 +28,13 @@ namespace carom {
 Manifold collideFeatures(const ConvexShape& a, const Pose& A, const ConvexShape& b, const Pose& B,
                          Real margin = 0);
 
+namespace detail {
+
+/// collideFeatures() of shapes that are not copied.
+/// \param a view of A's shape \param A its pose \param b view of B's shape \param B its pose
+/// \param margin as there \return as there \ingroup manifold
+Manifold collideFeaturesOf(const ShapeView& a, const Pose& A, const ShapeView& b, const Pose& B,
+                           Real margin);
+
+}  // namespace detail
 }  // namespace carom

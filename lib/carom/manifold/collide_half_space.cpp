@@ -5,21 +5,19 @@
 
 #include "carom/core/cross.hpp"
 #include "carom/detection/separating_axis.hpp"
-#include "carom/detection/support.hpp"
 #include "carom/manifold/contact_ids.hpp"
 #include "carom/manifold/facing_feature.hpp"
 #include "carom/manifold/loop_manifold.hpp"
 
 namespace carom {
 
-Manifold collideHalfSpace(const HalfSpace& a, const Pose& A, const ConvexShape& b, const Pose& B,
-                          Real margin) {
+Manifold detail::collideHalfSpaceWith(const HalfSpace& a, const Pose& A, const ShapeView& b,
+                                      const Pose& B, Real margin) {
   Manifold manifold;
   const Vector3 normal = A.R_WB * a.normal;
   // Everything relative to B's origin, whose height over the plane is the only large number.
   const Real height = normal.dot(B.p_WB - A.p_WB) - a.offset;
-  const Support support = supportOf(b, -(B.R_WB.transpose() * normal));
-  const Vector3 lowest = B.R_WB * support.point;
+  const Vector3 lowest = B.R_WB * supportOfView(b, -(B.R_WB.transpose() * normal));
   const Real separation = height + normal.dot(lowest);
   if (separation > margin) return manifold;
 
@@ -47,6 +45,11 @@ Manifold collideHalfSpace(const HalfSpace& a, const Pose& A, const ConvexShape& 
   const std::uint32_t id = kFloor | (static_cast<std::uint32_t>(FeatureKind::surface) << 14);
   detail::keepDeepest(B.p_WB + lowest - separation / 2 * normal, separation, reach, id, manifold);
   return manifold;
+}
+
+Manifold collideHalfSpace(const HalfSpace& a, const Pose& A, const ConvexShape& b, const Pose& B,
+                          Real margin) {
+  return detail::collideHalfSpaceWith(a, A, detail::viewOfShape(b), B, margin);
 }
 
 }  // namespace carom

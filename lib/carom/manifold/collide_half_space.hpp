@@ -11,6 +11,7 @@
 #include "carom/detection/pose.hpp"
 #include "carom/detection/shapes.hpp"
 #include "carom/manifold/manifold.hpp"
+#include "carom/manifold/shape_view.hpp"
 
 namespace carom {
 
@@ -25,4 +26,13 @@ namespace carom {
 Manifold collideHalfSpace(const HalfSpace& a, const Pose& A, const ConvexShape& b, const Pose& B,
                           Real margin = 0);
 
+namespace detail {
+
+/// collideHalfSpace() of a body that is not copied.
+/// \param a the half-space \param A its pose \param b view of the body's shape \param B its pose
+/// \param margin as there \return as there \ingroup manifold
+Manifold collideHalfSpaceWith(const HalfSpace& a, const Pose& A, const ShapeView& b, const Pose& B,
+                              Real margin);
+
+}  // namespace detail
 }  // namespace carom

@@ -135,19 +135,19 @@ void ofPolyhedron(const HullView& hull, const Matrix3& R, const Vector3& place,
 
 }  // namespace
 
-void facingFeature(const ConvexShape& shape, const Matrix3& R, const Vector3& place,
+void facingFeature(const ShapeView& shape, const Matrix3& R, const Vector3& place,
                    const Vector3& direction, FacingFeature& feature) {
-  if (const Ball* ball = std::get_if<Ball>(&shape)) {
-    ofBall(*ball, place, direction, feature);
-  } else if (const Capsule* capsule = std::get_if<Capsule>(&shape)) {
-    ofCapsule(*capsule, R, place, direction, feature);
-  } else if (const Cylinder* cylinder = std::get_if<Cylinder>(&shape)) {
-    ofCylinder(*cylinder, R, place, direction, feature);
-  } else if (const Box* box = std::get_if<Box>(&shape)) {
-    const BoxHullView view(*box);
+  if (const auto* ball = std::get_if<const Ball*>(&shape)) {
+    ofBall(**ball, place, direction, feature);
+  } else if (const auto* capsule = std::get_if<const Capsule*>(&shape)) {
+    ofCapsule(**capsule, R, place, direction, feature);
+  } else if (const auto* cylinder = std::get_if<const Cylinder*>(&shape)) {
+    ofCylinder(**cylinder, R, place, direction, feature);
+  } else if (const auto* box = std::get_if<const Box*>(&shape)) {
+    const BoxHullView view(**box);
     ofPolyhedron(view.view(), R, place, direction, feature);
   } else {
-    ofPolyhedron(viewOf(std::get<ConvexHull>(shape)), R, place, direction, feature);
+    ofPolyhedron(viewOf(*std::get<const ConvexHull*>(shape)), R, place, direction, feature);
   }
 }
 

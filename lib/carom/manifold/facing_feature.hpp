@@ -14,7 +14,7 @@
 
 #include "carom/core/real.hpp"
 #include "carom/detection/pose.hpp"
-#include "carom/detection/shapes.hpp"
+#include "carom/manifold/shape_view.hpp"
 
 namespace carom::detail {
 
@@ -46,7 +46,7 @@ struct FacingFeature {
 /// \param direction unit [1, world]
 /// \param feature receives it
 /// \ingroup manifold
-void facingFeature(const ConvexShape& shape, const Matrix3& R, const Vector3& place,
+void facingFeature(const ShapeView& shape, const Matrix3& R, const Vector3& place,
                    const Vector3& direction, FacingFeature& feature);
 
 }  // namespace carom::detail
