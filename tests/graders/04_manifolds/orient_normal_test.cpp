@@ -45,7 +45,7 @@ Points between(Random& random, const Vector3& unit, Real low, Real high) {
 void askBoth(const Vector3& axis, const Points& a, const Points& b, const Vector3& expected,
              const char* what) {
   for (const Real sign : {1.0, -1.0}) {
-    const Vector3 handed = sign * axis;
+    const Vector3 handed = sign * axis + Vector3::Zero();  // so that no zero is a minus zero
     GRADE(orientNormal(handed, a, b), expected, within(0, kExact), given("axis", handed),
           given("a", a, "m"), given("b", b, "m"), about(what));
   }
