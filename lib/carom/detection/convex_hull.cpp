@@ -9,6 +9,7 @@
 #include "carom/core/checks.hpp"
 #include "carom/core/cross.hpp"
 #include "carom/core/length.hpp"
+#include "carom/detection/limits.hpp"
 
 namespace carom {
 namespace {
@@ -158,7 +159,7 @@ ConvexHull hullFromFaces(std::span<const Vector3> vertices,
   ConvexHull hull;
   Real largest = 0;
   for (const Vector3& v : vertices) {
-    requireFinite(v, "vertex of a hull");
+    requireCoordinates(v, "vertex of a hull");
     hull.vertices.push_back(v);
     hull.x.push_back(v.x());
     hull.y.push_back(v.y());
@@ -186,7 +187,7 @@ ConvexHull hullFromFaces(std::span<const Vector3> vertices,
 
 ConvexHull boxHull(const Vector3& halfExtents) {
   std::vector<Vector3> vertices;
-  for (int k = 0; k < 3; ++k) requirePositive(halfExtents(k), "half extent of a box");
+  for (int k = 0; k < 3; ++k) requireLength(halfExtents(k), "half extent of a box");
   for (int i = 0; i < 8; ++i) {
     const auto sign = [i](int axis) { return ((i >> axis) & 1) != 0 ? 1.0 : -1.0; };
     vertices.emplace_back(sign(0) * halfExtents.x(), sign(1) * halfExtents.y(),

@@ -10,6 +10,7 @@
 
 #include "carom/core/checks.hpp"
 #include "carom/core/cross.hpp"
+#include "carom/detection/limits.hpp"
 #include "carom/precision/exact_determinant.hpp"
 
 namespace carom {
@@ -336,7 +337,7 @@ ConvexHull finish(const Surface& surface, std::vector<std::vector<Index>> loops,
 ConvexHull hullOfPoints(std::span<const Vector3> points) {
   Real largest = 0;
   for (const Vector3& point : points) {
-    requireFinite(point, "point of a hull");
+    requireCoordinates(point, "point of a hull");
     largest = std::max(largest, point.cwiseAbs().maxCoeff());
   }
   if (points.empty()) reject("hull", "0 points", "must have at least 4");

@@ -6,6 +6,7 @@
 
 #include "carom/core/checks.hpp"
 #include "carom/core/length.hpp"
+#include "carom/detection/limits.hpp"
 #include "carom/precision/exact_determinant.hpp"
 
 namespace carom {
@@ -23,7 +24,7 @@ Real turn(const Vector2& a, const Vector2& b, const Vector2& c) {
 }  // namespace
 
 Disc makeDisc(Real radius) {
-  requirePositive(radius, "radius of a disc");
+  requireLength(radius, "radius of a disc");
   return {radius};
 }
 
@@ -31,8 +32,8 @@ Polygon makePolygon(std::span<const Vector2> vertices) {
   const std::size_t count = vertices.size();
   if (count < 3) reject("polygon", std::to_string(count) + " corners", "must have at least 3");
   for (const Vector2& v : vertices) {
-    requireFinite(v.x(), "corner of a polygon");
-    requireFinite(v.y(), "corner of a polygon");
+    requireCoordinate(v.x(), "corner of a polygon");
+    requireCoordinate(v.y(), "corner of a polygon");
   }
   for (std::size_t i = 0; i < count; ++i) {
     const std::size_t j = (i + 1) % count;
@@ -63,7 +64,7 @@ PlanarCompound makePlanarCompound(std::vector<PlanarCompoundPart> parts) {
   for (const PlanarCompoundPart& part : parts) {
     requireUsable(part.pose, "pose of a part");
     if (const Disc* disc = std::get_if<Disc>(&part.shape)) {
-      requirePositive(disc->radius, "radius of a disc");
+      requireLength(disc->radius, "radius of a disc");
     } else if (std::get<Polygon>(part.shape).vertices.size() < 3) {
       reject("polygon", "fewer than 3 corners", "must be made by makePolygon()");
     }

@@ -6,6 +6,7 @@
 
 #include "carom/core/checks.hpp"
 #include "carom/core/length.hpp"
+#include "carom/detection/limits.hpp"
 
 namespace carom {
 namespace {
@@ -13,18 +14,18 @@ namespace {
 // One check per kind; std::visit picks it, and a new kind without a check does not compile.
 struct Checker {
   void operator()(const Ball& ball) const {
-    requirePositive(ball.radius, "radius of a ball");
+    requireLength(ball.radius, "radius of a ball");
   }
   void operator()(const Box& box) const {
-    for (int i = 0; i < 3; ++i) requirePositive(box.halfExtents(i), "half extent of a box");
+    for (int i = 0; i < 3; ++i) requireLength(box.halfExtents(i), "half extent of a box");
   }
   void operator()(const Capsule& capsule) const {
-    requirePositive(capsule.radius, "radius of a capsule");
-    requirePositive(capsule.halfLength, "half length of a capsule");
+    requireLength(capsule.radius, "radius of a capsule");
+    requireLength(capsule.halfLength, "half length of a capsule");
   }
   void operator()(const Cylinder& cylinder) const {
-    requirePositive(cylinder.radius, "radius of a cylinder");
-    requirePositive(cylinder.halfHeight, "half height of a cylinder");
+    requireLength(cylinder.radius, "radius of a cylinder");
+    requireLength(cylinder.halfHeight, "half height of a cylinder");
   }
   void operator()(const ConvexHull& hull) const {
     if (hull.vertices.size() < 4 || hull.faces.size() < 4) {
@@ -34,7 +35,7 @@ struct Checker {
   }
   void operator()(const HalfSpace& space) const {
     requireFinite(space.normal, "normal of a half-space");
-    requireFinite(space.offset, "offset of a half-space");
+    requireCoordinate(space.offset, "offset of a half-space");
     // A normal that was divided by its length is within a few ulp of length one.
     if (!(std::abs(space.normal.squaredNorm() - 1) <= 1e-14)) {
       reject("normal of a half-space", toText(space.normal), "must have length one");
@@ -77,7 +78,7 @@ Cylinder makeCylinder(Real radius, Real halfHeight) {
 
 HalfSpace makeHalfSpace(const Vector3& normal, const Vector3& point) {
   requireFinite(normal, "normal of a half-space");
-  requireFinite(point, "point of a half-space");
+  requireCoordinates(point, "point of a half-space");
   const Vector3 scaled = scaledToOne(normal);  // so that no length overflows
   if (scaled.isZero(0)) reject("normal of a half-space", toText(normal), "must not be zero");
   const Vector3 unit = scaled / scaled.norm();

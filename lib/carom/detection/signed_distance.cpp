@@ -7,6 +7,7 @@
 #include "carom/core/length.hpp"
 #include "carom/detection/closest_point.hpp"
 #include "carom/detection/gap_sign.hpp"
+#include "carom/detection/limits.hpp"
 #include "carom/detection/planar_gjk.hpp"
 #include "carom/detection/separate_boxes.hpp"
 #include "carom/detection/separate_hulls.hpp"
@@ -17,12 +18,12 @@ namespace {
 
 constexpr Real kInfinity = std::numeric_limits<Real>::infinity();
 
-// One sum tells whether all twelve numbers are finite; what is wrong is found out only then. Summed
+// One sum tells whether all twelve numbers are of a usable size; what is wrong is found out only then. Summed
 // in columns, so that the additions need not wait for one another.
 void requireFinitePose(const Pose& pose, const char* name) {
   const Vector3 sums = (pose.R_WB.col(0) + pose.R_WB.col(1)) + (pose.R_WB.col(2) + pose.p_WB);
   const Real sum = sums.x() + sums.y() + sums.z();
-  if (!(sum - sum == 0)) requireUsable(pose, name);
+  if (!(std::abs(sum) <= kLargestLength)) requireUsable(pose, name);
 }
 
 Separation swapped(Separation s) {
