@@ -14,7 +14,8 @@ namespace {
 constexpr Real kInfinity = std::numeric_limits<Real>::infinity();
 constexpr Real kEpsilon = std::numeric_limits<Real>::epsilon();
 
-// Polytopes of boxes need 10 to 20 corners, curved ones converge with 40 to 60.
+// Polytopes of boxes and hulls need 10 to 30 corners, curved ones 20 to 100. A cylinder about the
+// axis of a box would need any number, because all its ways out are nearly equal: it is stopped here.
 constexpr int kMostCorners = 160;
 constexpr int kMostFaces = 4 * kMostCorners;
 
@@ -275,7 +276,14 @@ Penetration expandPolytope(const CorePair& pair, const Simplex<3>& seed, Real si
   const Vector3 v = polytope.at(face.corners[2]) - polytope.at(face.corners[0]);
   const Real longest = std::max(u.squaredNorm(), v.squaredNorm());
   if (result.depth > 0 && cross(u, v).squaredNorm() < longest * way.squaredNorm() * 0x1p-20) {
-    result.normal = way / way.norm();
+    // It is taken if it proves as short a way out.
+    const Vector3 straight = way / way.norm();
+    const Real reach = straight.dot(pair(straight).difference);
+    ++result.iterations;
+    if (reach <= result.depth + noise) {
+      result.normal = straight;
+      result.depth = reach;
+    }
   }
   return result;
 }

@@ -40,10 +40,13 @@ void trySegment(const Simplex<Dim>& simplex, int i, int j, Nearest<Dim>& best) {
   if (!(ofB > 0)) return tryPoint(simplex, i, best);
   if (!(ofA > 0)) return tryPoint(simplex, j, best);
   const Real one = 1 / edge.squaredNorm();
-  const Real wa = ofA * one, wb = ofB * one;
-  // From the nearer end, so that the rounding error goes with the shorter way.
+  // From the nearer end, so that the rounding error goes with the shorter way, and with weights that
+  // add to one: for a short edge far from the origin the two ratios by themselves would not.
+  const bool nearA = ofA > ofB;
+  const Real wa = nearA ? 1 - ofB * one : ofA * one;
+  const Real wb = nearA ? ofB * one : 1 - wa;
   Eigen::Matrix<Real, Dim, 1> point = b - wa * edge;
-  if (wa > wb) point = a + wb * edge;
+  if (nearA) point = a + wb * edge;
   const Real squared = point.squaredNorm();
   if (!(squared < best.squared)) return;
   best.point = point;

@@ -168,3 +168,19 @@ TEST_CASE("in the plane the nearest point of a triangle is found, or the origin 
   CHECK(inside > 300);
   CHECK(inside < 2000);
 }
+
+TEST_CASE("a short edge far from the origin has weights that add to one") {
+  CaseNumbers random(14);
+  for (int i = 0; i < 1000; ++i) {
+    const Vector3 middle = 4 * random.direction();
+    const Vector3 along = std::pow(10.0, random.between(-14, -3)) * random.direction();
+    Simplex<3> simplex = simplexOf({middle - along, middle + random.between(0, 1) * along});
+    closestToOrigin(simplex);
+    Real sum = 0;
+    for (int k = 0; k < simplex.count; ++k) sum += simplex.weights[static_cast<std::size_t>(k)];
+    REQUIRE(std::abs(sum - 1) <= 2 * kUlp);
+    Vector3 onA, onB;
+    witnessPoints(simplex, onA, onB);
+    REQUIRE((onA - middle).norm() <= along.norm() + 16 * kUlp);
+  }
+}

@@ -551,6 +551,48 @@ TEST_CASE("bodies in the worst positions: aligned, concentric, huge, tiny, thin,
   }
 }
 
+TEST_CASE("bodies of all sizes and shapes against each other, from needles to plates") {
+  CaseNumbers random(7);
+  for (int i = 0; i < 10000; ++i) {
+    const auto size = [&] {
+      return random.next() % 4 == 0 ? 1.0 : std::pow(10.0, random.between(-3, 0.5));
+    };
+    const auto shape = [&]() -> ConvexShape {
+      const Real x = size(), y = size(), z = size();
+      switch (random.next() % 5) {
+        case 0:
+          return Ball{x};
+        case 1:
+          return Box{{x, y, z}};
+        case 2:
+          return Capsule{x, y};
+        case 3:
+          return Cylinder{x, y};
+        default: {
+          // Some of the clouds lie on a grid, with many corners in one plane or line.
+          const bool grid = random.next() % 2 == 0;
+          std::vector<Vector3> points = boxHull({x, y, z}).vertices;
+          for (int k = 0; k < 20; ++k) {
+            Vector3 p = random.vectorBetween(-1.5, 1.5);
+            if (grid) p = (2 * p).array().round().matrix() / 2;
+            points.push_back(p.cwiseProduct(Vector3(x, y, z)));
+          }
+          return hullOfPoints(points);
+        }
+      }
+    };
+    const ConvexShape a = shape(), b = shape();
+    const Pose A = random.pose(2);
+    Pose B = random.pose(2);
+    if (random.next() % 4 == 0) B.R_WB = A.R_WB;
+    if (random.next() % 8 == 0) B.p_WB = A.p_WB;
+    INFO("round " << i << ", shapes " << a.index() << " and " << b.index());
+    const Separation s = signedDistance(a, A, b, B);
+    const bool curved = isCylinder(a) || isCylinder(b);
+    checkAnswer(a, A, b, B, s, (curved ? 1e-7 : 1e-13) + 2 * s.errorBound);
+  }
+}
+
 TEST_CASE("poses that are not finite are refused") {
   const Shape box = Box{{1, 1, 1}};
   CHECK_THROWS_WITH(signedDistance(box, at(std::nan(""), 0, 0), box, Pose{}),
