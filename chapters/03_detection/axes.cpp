@@ -1,7 +1,7 @@
 // On which axis is there a gap?
 //
-// Two triangles, and their shadows on the normal of each of the six edges. Only one of the six shows
-// that they are apart, and it belongs to the second triangle.
+// Two triangles, and their shadows on the normal of each of the six edges. Only one of the six
+// shows that they are apart, and it belongs to the second triangle.
 
 #include <algorithm>
 #include <filesystem>

@@ -1,8 +1,8 @@
 // Which axes do two boxes need?
 
 // First two cubes that cross edge over edge, just apart and just overlapping: no face shows which.
-// Then cubes with parallel edges: their cross products have no direction but rounding, and a program
-// that does not know it believes them.
+// Then cubes with parallel edges: their cross products have no direction but rounding, and a
+// program that does not know it believes them.
 
 #include <cmath>
 #include <iostream>

@@ -1,7 +1,7 @@
 // How far apart is every kind of body from every other kind?
 //
 // Seven kinds make 27 pairs (two half-spaces have no distance worth the name). In each, B comes
-// towards A, sinks into it and leaves again, turning; the two nearest points are drawn all the time.
+// towards A, sinks into it and leaves again, turning; dots are the two nearest points.
 
 #include <algorithm>
 #include <filesystem>
@@ -100,7 +100,8 @@ int main(int argc, char** argv) {
   std::vector<Pair> pairs;
   for (int i = 0; i < 7; ++i) {
     for (int j = 0; j <= std::min(i, 5); ++j) {
-      pairs.push_back({all[i], all[j], {2.7 * i, -2.7 * j, 0}});
+      const int n = static_cast<int>(pairs.size());  // seven in a row
+      pairs.push_back({all[i], all[j], {2.5 * (n % 7), -2.8 * (n / 7), 0}});
     }
   }
 
@@ -119,10 +120,10 @@ int main(int argc, char** argv) {
             << carom::io::Cell(check).text(carom::io::scientific(0)) << " m.\n";
 
   carom::io::Recording recording("Every pair of bodies",
-                                 "A triangle of 27 pairs of bodies. In each pair one body comes "
+                                 "Twenty-seven pairs of bodies. In each pair one body comes "
                                  "towards the other, sinks into it "
                                  "and leaves; two dots are the nearest points.");
-  recording.setView({.direction = Vector3(-0.1, 0.6, -1)});
+  recording.setView({.direction = Vector3(0, 0.8, -1)});
   for (const Pair& pair : pairs) {
     const std::string name = pair.a.name + ", " + pair.b.name;
     const bool plane = pair.a.name == "half-space";

@@ -12,7 +12,8 @@
 
 /// Writes panels of one size in rows, from left to right and from top to bottom.
 /// \param path of the SVG file \param panels all drawn with size(width, height)
-/// \param columns panels in a row \param width of a panel [pixels] \param height of a panel [pixels]
+/// \param columns panels in a row \param width of a panel [pixels]
+/// \param height of a panel [pixels]
 inline void writePanels(const std::filesystem::path& path,
                         const std::vector<carom::io::Plot>& panels, int columns, int width,
                         int height) {

@@ -1,8 +1,8 @@
 // Separating axes or GJK: which is right, and which has more to do?
 //
 // Pairs of hulls whose distance is known, because of the way in which they are made: one below a
-// plane, one above another, nearest to each other with corners, faces or edges. Then pairs with more
-// and more corners, for which the work is counted, not timed.
+// plane, one above another, nearest to each other with corners, faces or edges. Then pairs with
+// more and more corners, for which the work is counted, not timed.
 
 #include <algorithm>
 #include <cmath>

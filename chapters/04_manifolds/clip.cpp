@@ -1,8 +1,8 @@
 // What is left of one face over another?
 //
-// A face is cut by the planes that stand on the four edges of a rectangle, one after the other. Each
-// picture is one cut. Then the same for two cubes, and what the contact point of the source would do
-// in its place.
+// A face is cut by the planes that stand on the four edges of a rectangle, one after the other.
+// Each picture is one cut. Then the same for two cubes, and what the contact point of the source
+// would do in its place.
 
 #include <filesystem>
 #include <iostream>
