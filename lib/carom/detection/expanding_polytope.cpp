@@ -13,6 +13,7 @@ namespace {
 
 constexpr Real kInfinity = std::numeric_limits<Real>::infinity();
 constexpr Real kEpsilon = std::numeric_limits<Real>::epsilon();
+constexpr Real kNothing = 1e-140;  // 2^-600 times kLargestLength, rounded up
 
 // Polytopes of boxes and hulls need 10 to 30 corners, curved ones 20 to 100. A cylinder about the
 // axis of a box would need any number, because all its ways out are nearly equal: it is stopped here.
@@ -47,6 +48,10 @@ struct Polytope {
   void add(const SimplexVertex<3>& vertex) {
     Corner& corner = corners[static_cast<std::size_t>(cornerCount++)];
     corner.difference = vertex.difference;
+    // Exact signs multiply three coordinates; the last digits of what is smaller would not fit.
+    for (Real& x : corner.difference) {
+      if (std::abs(x) < kNothing) x = 0;
+    }
     corner.pointA = vertex.pointA;
     corner.pointB = vertex.pointB;
   }

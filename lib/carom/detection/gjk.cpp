@@ -90,10 +90,16 @@ Separation ofThinCores(const CoreShape& a, const Pose& A, const CoreShape& b, co
     const Vector3 n = squareToBoth(a, A, b, B);
     gap = n.dot(gap) * n;
   } else {
+    // Of a segment so short that its other end is no nearer, to rounding, it says nothing whether
+    // the point is an end.
+    const auto matters = [&gap](Real along, Real halfLength) {
+      return 2 * std::abs(along) * halfLength >
+             8 * std::numeric_limits<Real>::epsilon() * gap.squaredNorm();
+    };
     const Real alongA = gap.dot(axisA);
-    if (a.extents.z() > 0 && endA * alongA <= 0) gap -= alongA * axisA;
+    if (matters(alongA, a.extents.z()) && endA * alongA <= 0) gap -= alongA * axisA;
     const Real alongB = gap.dot(axisB);
-    if (b.extents.z() > 0 && endB * -alongB <= 0) gap -= alongB * axisB;
+    if (matters(alongB, b.extents.z()) && endB * -alongB <= 0) gap -= alongB * axisB;
   }
   result.separation = length(gap);
   // A gap of the size of the rounding error of its ends has no direction.
@@ -109,7 +115,7 @@ Separation ofThinCores(const CoreShape& a, const Pose& A, const CoreShape& b, co
 
 Separation ofCores(const CoreShape& a, const Pose& A, const CoreShape& b, const Pose& B,
                    const Vector3& p_AB, SimplexCache* cache) {
-  const CorePair pair{{a, A.R_WB}, {b, B.R_WB}, p_AB};
+  const CorePair pair(a, A.R_WB, b, B.R_WB, p_AB);
   const Real size = reachOf(a) + reachOf(b) + length(p_AB);
   Simplex<3> simplex = warmSimplex(pair, cache);
   Vector3 start = centerOf(a, A) - centerOf(b, B) - p_AB;
