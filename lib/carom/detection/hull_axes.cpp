@@ -100,40 +100,82 @@ class Scratch {
   T* data_ = usual_;
 };
 
-using Heights = Scratch<Real, 128>;
 using Numbers = Scratch<std::int32_t, 128>;
 
-// Height of a point over each face; the number of the largest. No branch depends on the data: what
-// cannot be predicted costs more than what is computed in vain.
-int measure(const HullView& hull, const Vector3& point, Heights& heights) {
-  int highest = 0;
-  Real most = -kInfinity;
-  for (int f = 0; f < hull.faceCount; ++f) {
-    const Real height = hull.faces[f].normal.dot(point) - hull.faces[f].offset;
-    heights[f] = height;
-    highest = height > most ? f : highest;
-    most = height > most ? height : most;
+// The heights of one point over all faces of a hull, and the faces over which it reaches a
+// threshold.
+struct Heights {
+  explicit Heights(int faceCount) : values(faceCount), above(faceCount + 1) {}
+
+  Real operator[](int face) const {
+    return values[face];
   }
-  return highest;
+
+  Scratch<Real, 128> values;
+  Numbers above;
+  int aboveCount = 0;
+  Real threshold = 0;  // what the faces in `above` have reached
+};
+
+// Measures a point over each face, two faces at a time. No branch depends on the data: what cannot
+// be predicted costs more than what is computed in vain.
+void measure(const HullView& hull, const Vector3& point, Real threshold, Heights& heights) {
+  const Two x = {point.x(), point.x()};
+  const Two y = {point.y(), point.y()};
+  const Two z = {point.z(), point.z()};
+  Real* values = heights.values.data();
+  std::int32_t* above = heights.above.data();
+  int count = 0;
+  int f = 0;
+  for (; f + 1 < hull.faceCount; f += 2) {
+    const HullFace& p = hull.faces[f];
+    const HullFace& q = hull.faces[f + 1];
+    const Two height = Two{p.normal.x(), q.normal.x()} * x + Two{p.normal.y(), q.normal.y()} * y +
+                       Two{p.normal.z(), q.normal.z()} * z - Two{p.offset, q.offset};
+    std::memcpy(values + f, &height, sizeof height);
+    above[count] = f;
+    count += height[0] >= threshold ? 1 : 0;
+    above[count] = f + 1;
+    count += height[1] >= threshold ? 1 : 0;
+  }
+  if (f < hull.faceCount) {
+    values[f] = hull.faces[f].normal.dot(point) - hull.faces[f].offset;
+    above[count] = f;
+    count += values[f] >= threshold ? 1 : 0;
+  }
+  heights.aboveCount = count;
+  heights.threshold = threshold;
 }
 
-// The faces whose height reaches a threshold, without a branch. `list` has room for all.
-int facesAbove(const Heights& heights, int faceCount, Real threshold, std::int32_t* list) {
-  int count = 0;
-  for (int f = 0; f < faceCount; ++f) {
-    list[count] = f;
-    count += heights[f] >= threshold ? 1 : 0;
+// The face over which the point is highest, the first of several.
+int highestFace(const Heights& heights, int faceCount) {
+  const Real* values = &heights.values[0];
+  Two most = {-kInfinity, -kInfinity};
+  int f = 0;
+  for (; f + 1 < faceCount; f += 2) {
+    Two next;
+    std::memcpy(&next, values + f, sizeof next);
+    most = next > most ? next : most;
   }
-  return count;
+  Real largest = std::max(most[0], most[1]);
+  if (f < faceCount) largest = std::max(largest, values[f]);
+  int highest = 0;
+  while (highest + 1 < faceCount && values[highest] != largest) ++highest;
+  return highest;
 }
 
 // The point itself if it lies in the hull, else where the way to the centroid enters it.
 Vector3 pulledInside(const HullView& hull, const Vector3& point, const Heights& heights) {
   Real part = 1;
-  for (int f = 0; f < hull.faceCount; ++f) {
-    if (heights[f] <= 0) continue;
+  const auto pull = [&](int f) {
+    if (heights[f] <= 0) return;
     const Real inside = hull.faces[f].normal.dot(hull.centroid) - hull.faces[f].offset;
     part = std::min(part, inside / (inside - heights[f]));
+  };
+  if (heights.threshold <= 0) {
+    for (int k = 0; k < heights.aboveCount; ++k) pull(heights.above[k]);
+  } else {
+    for (int f = 0; f < hull.faceCount; ++f) pull(f);
   }
   return part == 1 ? point : Vector3(hull.centroid + part * (point - hull.centroid));
 }
@@ -225,7 +267,10 @@ class Search {
   void collect(const HullView& hull, const Heights& heights, const Points& points,
                Alive& alive) const {
     const Real toReach = threshold();
-    alive.count = facesAbove(heights, hull.faceCount, toReach, alive.faces.data());
+    for (int k = 0; k < heights.aboveCount; ++k) {
+      alive.faces[alive.count] = heights.above[k];
+      alive.count += heights[heights.above[k]] >= toReach ? 1 : 0;
+    }
     for (int k = 0; k < alive.count; ++k) {
       const HullFace& face = hull.faces[alive.faces[k]];
       std::int32_t below = 0;
@@ -268,8 +313,8 @@ class Search {
     if (hint.kind == AxisKind::faceOfA && hasA && hint.featureA < a.faceCount) {
       const Vector3 lowest = tryFaceOfA(hint.featureA);
       if (best() > enough) return true;
-      measure(a, lowest, onA_);
-      measure(b, toB(pulledInside(a, lowest, onA_)), onB_);
+      measure(a, lowest, threshold(), onA_);
+      measure(b, toB(pulledInside(a, lowest, onA_)), threshold(), onB_);
       addNeighbours(
           b, lowestVertex_, [this](const Vector3& x) { return toA(x); }, pointsOfB_);
       addCorners(
@@ -279,8 +324,8 @@ class Search {
     if (hint.kind == AxisKind::faceOfB && hasB && hint.featureB < b.faceCount) {
       const Vector3 lowest_B = toB(tryFaceOfB(hint.featureB));
       if (best() > enough) return true;
-      measure(b, lowest_B, onB_);
-      measure(a, toA(pulledInside(b, lowest_B, onB_)), onA_);
+      measure(b, lowest_B, threshold(), onB_);
+      measure(a, toA(pulledInside(b, lowest_B, onB_)), threshold(), onA_);
       addNeighbours(
           a, lowestVertex_, [this](const Vector3& x) { return toB(x); }, pointsOfA_);
       addCorners(
@@ -306,18 +351,21 @@ class Search {
     const Vector3 direction = pair_.R * b.centroid + pair_.t - a.centroid;
     int vertexB = farthestVertex(b, -(pair_.R.transpose() * direction));
     Vector3 pointB = pair_.R * b.vertices[vertexB] + pair_.t;
-    int faceA = measure(a, pointB, onA_);
+    measure(a, pointB, threshold(), onA_);
+    int faceA = highestFace(onA_, a.faceCount);
     const Vector3 lowest = tryFaceOfA(faceA);
     if (best() > enough) return;
     if (lowest != pointB) {
       vertexB = lowestVertex_;
       pointB = lowest;
-      faceA = measure(a, pointB, onA_);
+      measure(a, pointB, threshold(), onA_);
+      faceA = highestFace(onA_, a.faceCount);
       if (onA_[faceA] >= threshold() && !triedA_.has(faceA)) tryFaceOfA(faceA);
       if (best() > enough) return;
     }
     const Vector3 pointA = pulledInside(a, pointB, onA_);
-    const int faceB = measure(b, pair_.R.transpose() * (pointA - pair_.t), onB_);
+    measure(b, toB(pointA), threshold(), onB_);
+    const int faceB = highestFace(onB_, b.faceCount);
     const Real before = best();
     int vertexA = -1;
     if (onB_[faceB] >= threshold()) {
@@ -379,8 +427,8 @@ class Search {
     // Any points of the edges will do, so rounding does no harm.
     const Real s = std::clamp(cross(between, v).dot(axis) / square, Real(0), Real(1));
     const Real t = std::clamp(cross(between, u).dot(axis) / square, Real(0), Real(1));
-    measure(pair_.a, arcB.start + t * v, onA_);
-    measure(pair_.b, toB(arcA.start + s * u), onB_);
+    measure(pair_.a, arcB.start + t * v, threshold(), onA_);
+    measure(pair_.b, toB(arcA.start + s * u), threshold(), onB_);
     pointsOfB_.count = pointsOfA_.count = 0;
     pointsOfB_.add(arcB.start);
     pointsOfB_.add(arcB.start + v);
