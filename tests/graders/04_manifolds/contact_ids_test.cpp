@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <set>
+#include <string>
 
 #include "grading/fields_manifold.hpp"
 #include "grading/grade.hpp"
@@ -26,6 +27,23 @@ constexpr FeatureKind kFace = FeatureKind::face;
 Feature anyFeature(Random& random, int indices) {
   return {static_cast<FeatureKind>(random.integer(0, 3)),
           static_cast<std::uint32_t>(random.integer(0, indices))};
+}
+
+// A name taken apart again, so that a message can be read.
+std::string inWords(std::uint32_t id) {
+  const auto half = [](std::uint32_t bits) {
+    return "kind " + std::to_string(bits >> 14) + ", index " + std::to_string(bits & 16383);
+  };
+  return "A: " + half(id >> 16) + "; B: " + half(id & 65535);
+}
+
+// What a name must say.
+std::string inWords(const FeaturePair& pair) {
+  const auto half = [](const Feature& f) {
+    return "kind " + std::to_string(static_cast<int>(f.kind)) + ", index " +
+           std::to_string(f.index);
+  };
+  return "A: " + half(pair.onA) + "; B: " + half(pair.onB);
 }
 
 // All pairs of features with small numbers.
@@ -61,6 +79,8 @@ TEST_CASE("layout") {
                          "edge 1 of A across the last possible edge of B"},
                         {{{kSurface, 0}, {kFace, 2}}, 3 * 16384u + 2, "a ball on face 2"}};
   for (const Case& c : cases) {
+    GRADE(inWords(contactIds(Pairs{c.pair}).at(0)), inWords(c.pair),
+          within(0, "the bits of the name"), given("features", c.pair), about(c.what));
     GRADE(contactIds(Pairs{c.pair}), Ids{c.id}, within(0, kWhole), given("features", c.pair),
           about(c.what));
   }
