@@ -107,7 +107,8 @@ struct PlacedCore {
   /// \param point receives the corner [m, world axes] \return false if there is none
   bool corner(std::int32_t id, Vector3& point) const {
     if (id < 0) return false;
-    const auto sign = [id](int bit) { return (id >> bit & 1) != 0 ? Real(1) : Real(-1); };
+    // Computed, not chosen: the processor cannot guess which corners a pair of boxes had.
+    const auto sign = [id](int bit) { return static_cast<Real>(2 * (id >> bit & 1) - 1); };
     switch (kind) {
       case CoreKind::point:
         point.setZero();
@@ -139,6 +140,13 @@ struct CorePair {
   Vector3 p_AB;                     ///< B's origin from A's [m, world axes]
   mutable std::int32_t startA = 0;  ///< hull corner found last
   mutable std::int32_t startB = 0;  ///< hull corner found last
+
+  /// Turns both cores. \param coreA core of A \param R_WA its rotation
+  /// \param coreB core of B \param R_WB its rotation
+  /// \param offset B's origin from A's [m, world axes]
+  CorePair(const CoreShape& coreA, const Matrix3& R_WA, const CoreShape& coreB, const Matrix3& R_WB,
+           const Vector3& offset)
+      : a(coreA, R_WA), b(coreB, R_WB), p_AB(offset) {}
 
   /// The farthest difference of a point of A and a point of B.
   /// \param d direction, any length [world axes] \return the vertex

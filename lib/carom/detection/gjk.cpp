@@ -116,7 +116,7 @@ Separation ofThinCores(const CoreShape& a, const Pose& A, const CoreShape& b, co
 Separation ofCores(const CoreShape& a, const Pose& A, const CoreShape& b, const Pose& B,
                    const Vector3& p_AB, SimplexCache* cache) {
   const CorePair pair(a, A.R_WB, b, B.R_WB, p_AB);
-  const Real size = reachOf(a) + reachOf(b) + length(p_AB);
+  const Real size = reachOf(a) + reachOf(b) + p_AB.lpNorm<1>();
   Simplex<3> simplex = warmSimplex(pair, cache);
   Vector3 start = centerOf(a, A) - centerOf(b, B) - p_AB;
   if (cache != nullptr && !cache->direction.isZero(0)) start = -cache->direction;

@@ -16,18 +16,20 @@
 
 namespace carom {
 
-/// A corner of a simplex in the difference of two bodies: a point of A minus a point of B.
+/// A corner of a simplex in the difference of two bodies: a point of A minus a point of B. Its
+/// vectors are not set by default: a simplex is made for every pair, and clearing corners that are
+/// never used took a tenth of GJK's time.
 /// \tparam Dim 2 or 3
 /// \ingroup detection
 template <int Dim>
 struct SimplexVertex {
   /// A column of Dim numbers.
   using Vector = Eigen::Matrix<Real, Dim, 1>;
-  Vector difference = Vector::Zero();  ///< pointA - pointB [m]
-  Vector pointA = Vector::Zero();      ///< point of A [m, common frame]
-  Vector pointB = Vector::Zero();      ///< point of B [m, common frame]
-  std::int32_t idA = -1;               ///< number of the corner of A, if it has corners
-  std::int32_t idB = -1;               ///< number of the corner of B, if it has corners
+  Vector difference;      ///< pointA - pointB [m]
+  Vector pointA;          ///< point of A [m, common frame]
+  Vector pointB;          ///< point of B [m, common frame]
+  std::int32_t idA = -1;  ///< number of the corner of A, if it has corners
+  std::int32_t idB = -1;  ///< number of the corner of B, if it has corners
 };
 
 /// Up to Dim + 1 corners, and the weights that make the point nearest to the origin.
