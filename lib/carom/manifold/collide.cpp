@@ -49,6 +49,12 @@ Manifold swapped(Manifold manifold) {
 // The one place where pairs of kinds meet their methods.
 Manifold collideViews(const ShapeView& a, const Pose& A, const ShapeView& b, const Pose& B,
                       ManifoldCache* cache, Real margin) {
+  const auto* ballA = std::get_if<const Ball*>(&a);
+  const auto* ballB = std::get_if<const Ball*>(&b);
+  if (ballA != nullptr && ballB != nullptr) {
+    if (comesSecond(a, A, b, B)) return swapped(collideBalls(**ballB, B, **ballA, A, margin));
+    return collideBalls(**ballA, A, **ballB, B, margin);
+  }
   const auto* boxA = std::get_if<const Box*>(&a);
   const auto* boxB = std::get_if<const Box*>(&b);
   const auto* hullA = std::get_if<const ConvexHull*>(&a);
