@@ -36,7 +36,8 @@ LeastDisplacement byHand(const Vector3& lowB, const Vector3& highB) {
     const Real up = lowB[k] - 1, down = -1 - highB[k];
     if (std::max(up, down) > best.separation) {
       best.separation = std::max(up, down);
-      best.normal = (up >= down ? 1 : -1) * Vector3::Unit(k);
+      best.normal = Vector3::Zero();
+      best.normal[k] = up >= down ? 1 : -1;
       best.axis = k;
     }
   }
