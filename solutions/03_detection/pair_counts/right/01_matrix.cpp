@@ -13,7 +13,9 @@ std::vector<PairCount> pairCounts(std::span<const Aabb<3>> scene, std::span<cons
     row.boxes = n;
     row.asked = n * (n - 1) / 2;
     for (int j = n - 1; j > 0; --j) {
-      for (int i = 0; i < j; ++i) row.kept += meets(scene[i], scene[j]) ? 1 : 0;
+      for (int i = 0; i < j; ++i) {
+        row.kept += aabbOverlap(scene[i], scene[j]) == Verdict::separated ? 0 : 1;
+      }
     }
     table.push_back(row);
   }
