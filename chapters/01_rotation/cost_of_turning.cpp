@@ -44,19 +44,20 @@ Point byMatrix(const Nine& R, const Point& v) {
 //! [sandwich]
 // q v q*, as it stands in a book.
 Point bySandwich(const Four& q, const Point& v) {
-  const Four conjugate = {q[0], {-q[1].value}, {-q[2].value}, {-q[3].value}};
-  const Four turned = product(product(q, {S{0}, v[0], v[1], v[2]}), conjugate);
-  return {turned[1], turned[2], turned[3]};
+  const Four star = {q[0], {-q[1].value}, {-q[2].value}, {-q[3].value}};
+  const Four p = product(product(q, {S{0}, v[0], v[1], v[2]}), star);
+  return {p[1], p[2], p[3]};
 }
 
-// The same, multiplied out: t = 2 u x v, then v + w t + u x t, with u the vector part of q.
+// The same, multiplied out, with u the vector part of q:
+// t = 2 u x v, then v + w t + u x t.
 Point byTwoCrosses(const Four& q, const Point& v) {
   const Point u = {q[1], q[2], q[3]};
   Point t = cross(u, v);
   for (S& x : t) x = x + x;
-  const Point across = cross(u, t);
-  return {v[0] + q[0] * t[0] + across[0], v[1] + q[0] * t[1] + across[1],
-          v[2] + q[0] * t[2] + across[2]};
+  Point p = cross(u, t);
+  for (std::size_t i = 0; i < 3; ++i) p[i] = v[i] + q[0] * t[i] + p[i];
+  return p;
 }
 //! [sandwich]
 

@@ -20,13 +20,18 @@ struct Work {
 };
 
 //! [counted]
-/// A number that counts what is done to it. \ingroup rotation
+/// A number that counts what is done to it.
+/// \ingroup rotation
 struct Counted {
   Real value = 0;           ///< the number
-  static inline Work work;  ///< what has been done since this was last set to zero
+  static inline Work work;  ///< what was done since this was set to zero
 };
 
-/// Counts a product. \param a factor \param b factor \return a b \ingroup rotation
+/// Counts a product.
+/// \param a factor
+/// \param b factor
+/// \return a b
+/// \ingroup rotation
 inline Counted operator*(Counted a, Counted b) {
   ++Counted::work.products;
   return {a.value * b.value};
