@@ -173,23 +173,20 @@ Real needed(const Curve& curve, const std::function<Real(const Point&)>& cost) {
   return 0;
 }
 
-constexpr const char* kUnit = "time per simulated second [us]";
-
-void draw(const std::vector<Curve>& curves, bool time, const std::filesystem::path& file) {
-  carom::io::Plot plot(time ? "A body that cones: time against error after ten seconds"
-                            : "A body that cones: questions asked against error");
+// W1: time against error.
+void draw(const std::vector<Curve>& curves, const std::filesystem::path& file) {
+  carom::io::Plot plot("A body that cones: time against error after ten seconds");
   plot.describe(
       "One curve per method, one mark per step. The methods of a higher order fall "
       "steeper; that of order six reaches rounding first.");
-  plot.size(980, 560).xAxis(time ? kUnit : "angular velocities asked for, per simulated second",
-                            carom::io::Scale::Logarithmic);
+  plot.size(980, 560).xAxis("time per simulated second [us]", carom::io::Scale::Logarithmic);
   plot.yAxis("error [rad]", carom::io::Scale::Logarithmic).yRange(1e-20, 10);
   std::size_t i = 0;
   Real left = 1e300, right = 0;
   for (const Curve& curve : curves) {
     std::vector<Real> x, y;
     for (const Point& point : curve.points) {
-      x.push_back(time ? point.time.median / 1000 : point.evaluations);
+      x.push_back(point.time.median / 1000);
       y.push_back(std::clamp(point.error, 1e-17, 10.0));
       left = std::min(left, x.back()), right = std::max(right, x.back());
     }
@@ -289,7 +286,6 @@ int main(int argc, char** argv) {
   carom::bench::writeJson(options, figures);
   if (!options.plots.empty()) {
     std::filesystem::create_directories(options.plots);
-    draw(curves, true, options.plots / "rotation_time_error.svg");
-    draw(curves, false, options.plots / "rotation_rates_error.svg");
+    draw(curves, options.plots / "rotation_time_error.svg");
   }
 }
