@@ -2,9 +2,9 @@
 // A number without rounding, for the cases that rounding would decide.
 //
 // Sums and products of doubles, kept as a list of doubles that do not overlap, smallest first
-// (expansions: Shewchuk, Discrete & Computational Geometry 18, 1997). The largest entry has the sign
-// of the number. Two boxes that touch exactly have a gap of zero in this arithmetic, whatever the
-// directions of their faces.
+// (expansions: Shewchuk, Discrete & Computational Geometry 18, 1997). The largest entry has the
+// sign of the number. Two boxes that touch exactly have a gap of zero in this arithmetic, whatever
+// the directions of their faces.
 // Why so late: a product of two lists multiplies their lengths, so an axis costs microseconds. Only
 // axes whose gap in doubles is within its own error of zero come here.
 // Not handled: overflow, and products of doubles below 1e-290; no division.

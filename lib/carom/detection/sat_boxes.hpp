@@ -1,9 +1,9 @@
 #pragma once
 // Do two boxes overlap, and how little would part them?
 //
-// Method: fifteen separating axes: three normals of A, three of B, and the nine cross products of an
-// edge direction of A with one of B. The shadow of a box is its centre's, as wide as the sum of its
-// half extents times |cosines|.
+// Method: fifteen separating axes: three normals of A, three of B, and the nine cross products of
+// an edge direction of A with one of B. The shadow of a box is its centre's, as wide as the sum of
+// its half extents times |cosines|.
 // Why the cross products: two boxes can pass each other edge by edge, and then no face shows the
 // gap. The source takes the edges themselves as axes; those of a box are its face normals again,
 // so its recipe adds nothing.

@@ -1,8 +1,8 @@
 #pragma once
 // Do two convex polyhedra overlap, and how little would part them?
 //
-// Method: separating axes: the normals of the faces of both, and the cross products of every edge of
-// A with every edge of B; all corners are projected on each. Of a tetrahedron's 44 axes 36 are
+// Method: separating axes: the normals of the faces of both, and the cross products of every edge
+// of A with every edge of B; all corners are projected on each. Of a tetrahedron's 44 axes 36 are
 // cross products, of an icosahedron's 940 it is 900: never "half", as the source has it.
 // Cost: (FA + FB + EA EB)(VA + VB) dot products, eightfold when the number of corners doubles: this
 // is the text-book version, and what the fast one (separateHulls()) is measured against.

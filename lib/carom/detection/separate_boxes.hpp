@@ -4,10 +4,10 @@
 // Method: the fifteen axes of satBoxes() in the frame of A (box_axes.hpp). A gap that is within its
 // own rounding error of zero is computed again with exact numbers, so that boxes that touch are
 // called touching and boxes that are one unit in the last place apart are called apart. There the
-// box is what its pose makes of it: the solid spanned by the columns of R_WB times the half extents,
-// even if these columns are a rounding away from right angles.
-// The answer does not depend on the order of the arguments: the pair is brought into an order of its
-// own first, and the axis turned at the end.
+// box is what its pose makes of it: the solid spanned by the columns of R_WB times the half
+// extents, even if these columns are a rounding away from right angles.
+// The answer does not depend on the order of the arguments: the pair is brought into an order of
+// its own first, and the axis turned at the end.
 // Temporal coherence: an axis that separated two boxes in the last step usually still does, and
 // testing it costs a tenth of testing all. The verdict is the same.
 // Source: Gottschalk, Lin and Manocha 1996; Shewchuk 1997 for filters; Baraff 1990 for the witness

@@ -1,11 +1,11 @@
 #pragma once
 // Do two polyhedra overlap? Fast, and right to the last digit.
 //
-// Method: the axes of satHulls(), of which hull_axes.hpp proves most to be needless. If the best gap
-// is within its own rounding error of zero, all axes that could decide are computed again with exact
-// numbers, on the corners that the poses make of the hulls; so touching bodies are called touching.
-// There a face is the plane through its first three corners: one whose corners are not exactly in
-// one plane has no other.
+// Method: the axes of satHulls(), of which hull_axes.hpp proves most to be needless. If the best
+// gap is within its own rounding error of zero, all axes that could decide are computed again with
+// exact numbers, on the corners that the poses make of the hulls; so touching bodies are called
+// touching. There a face is the plane through its first three corners: one whose corners are not
+// exactly in one plane has no other.
 // The answer does not depend on the order of the arguments.
 // Source: Gregorius, GDC 2013; Shewchuk 1997.
 // Not handled: the distance of bodies whose nearest features are corners; that needs GJK.

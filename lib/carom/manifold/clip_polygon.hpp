@@ -6,8 +6,8 @@
 // other, leaves what lies above that face.
 // Why it closes: the edge from the last corner back to the first is an edge like any other; a walk
 // that forgets it leaves a corner outside.
-// A corner on the plane is behind it and makes no second corner, and a crossing is computed from the
-// corner behind towards the one in front, so an edge gives the same point whichever way it is
+// A corner on the plane is behind it and makes no second corner, and a crossing is computed from
+// the corner behind towards the one in front, so an edge gives the same point whichever way it is
 // walked: nothing is doubled, and no tolerance is needed.
 // Source: Sutherland and Hodgman, CACM 17, 1974; the source's reference [20].
 // Not handled: concave polygons may come out with edges on top of each other.

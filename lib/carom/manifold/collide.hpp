@@ -4,8 +4,8 @@
 // Method: balls by nearest points, half-spaces by heights, boxes and hulls by separating axes and
 // clipping, everything else by GJK and the features along its normal. A compound has one manifold
 // for each pair of its parts that touch.
-// The result depends on shapes and poses alone: not on a cache, not on the last step; and swapping A
-// and B turns the normal, swaps the names, and changes nothing else.
+// The result depends on shapes and poses alone: not on a cache, not on the last step; and swapping
+// A and B turns the normal, swaps the names, and changes nothing else.
 // Why a switch over the kinds and not a table of functions: a new shape makes it fail to compile.
 // Not handled: half-space against half-space, which has no points.
 
@@ -45,12 +45,12 @@ struct PartManifold {
 /// \param A its pose
 /// \param b usable shape of B
 /// \param B its pose
-/// \param manifolds receives one per pair of parts that touch, ordered by part of A, then of B; what
-///   was in it is lost
+/// \param manifolds receives one per pair of parts that touch, ordered by part of A, then of B;
+///   what was in it is lost
 /// \param caches hints, one per pair of parts, part of A first; or empty
 /// \param margin surfaces up to this far apart still make points; zero or more [m]
-/// \throws InvalidInput if both are half-spaces, the margin is negative, or there are caches but not
-///   one per pair of parts
+/// \throws InvalidInput if both are half-spaces, the margin is negative, or there are caches but
+///   not one per pair of parts
 /// \ingroup manifold
 void collide(const Shape& a, const Pose& A, const Shape& b, const Pose& B,
              std::vector<PartManifold>& manifolds, std::span<ManifoldCache> caches = {},

@@ -2,8 +2,8 @@
 // Where do two boxes touch?
 //
 // Method: the best of fifteen axes (box_axes.hpp). If it is the normal of a face, or within a few
-// degrees of one on both boxes, the opposite face is clipped by the rectangle of the reference face;
-// otherwise two edges cross, and their common perpendicular is the contact.
+// degrees of one on both boxes, the opposite face is clipped by the rectangle of the reference
+// face; otherwise two edges cross, and their common perpendicular is the contact.
 // The reference face is chosen by the geometry alone: by gap, then by area, then by an order of the
 // two boxes that does not depend on who is called A. What was found in the last step has no say.
 // Why clip also for a crossing of edges that is nearly flat: a box that rests on another and tilts

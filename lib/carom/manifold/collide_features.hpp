@@ -1,10 +1,10 @@
 #pragma once
 // Where do any two convex bodies touch?
 //
-// Method: GJK and EPA give the normal, the depth and a pair of witness points. Then the features that
-// look along the normal are held against each other: face on face and line on face are clipped,
-// line along line keeps the ends of the common part, and everything else touches at the witness
-// points alone. The witness is always among the points.
+// Method: GJK and EPA give the normal, the depth and a pair of witness points. Then the features
+// that look along the normal are held against each other: face on face and line on face are
+// clipped, line along line keeps the ends of the common part, and everything else touches at the
+// witness points alone. The witness is always among the points.
 // Why not for boxes and hulls: separating axes give their exact normal faster.
 // No cache: the normal must not depend on where an iteration started.
 // Source: Gilbert, Johnson and Keerthi 1988; van den Bergen 2001; for the features Jolt.

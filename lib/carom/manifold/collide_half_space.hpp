@@ -4,8 +4,8 @@
 // Method: the normal is the floor's, so there is nothing to search: the face, line or point of the
 // body that looks at the floor (facing_feature.hpp) is held against the plane, and what is below it
 // touches. The farthest point is always among the points.
-// Why all corners of a face: a box that tilts by a billionth keeps its four points, and their depths
-// change by a billionth; the deepest one alone would jump from side to side.
+// Why all corners of a face: a box that tilts by a billionth keeps its four points, and their
+// depths change by a billionth; the deepest one alone would jump from side to side.
 // Not handled: a half-space against a half-space.
 
 #include "carom/detection/pose.hpp"

@@ -35,8 +35,8 @@ Manifold collidePlanar(const ConvexPlanarShape& a, const PlanarPose& A, const Co
 /// \param A its pose
 /// \param b usable shape of B
 /// \param B its pose
-/// \param manifolds receives one per pair of parts that touch, ordered by part of A, then of B; what
-///   was in it is lost
+/// \param manifolds receives one per pair of parts that touch, ordered by part of A, then of B;
+///   what was in it is lost
 /// \param margin outlines up to this far apart still make points; zero or more [m]
 /// \throws InvalidInput if the margin is negative
 /// \ingroup manifold

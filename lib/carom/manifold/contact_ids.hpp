@@ -1,12 +1,12 @@
 #pragma once
 // How does a contact point keep its name from one step to the next?
 //
-// Method: a point is named by what touches there: a corner of one body on a face of the other, or an
-// edge of A across an edge of B. As long as the same features touch, the name stays, wherever the
-// point has moved to; so the impulse of the last step can be handed to the right point.
+// Method: a point is named by what touches there: a corner of one body on a face of the other, or
+// an edge of A across an edge of B. As long as the same features touch, the name stays, wherever
+// the point has moved to; so the impulse of the last step can be handed to the right point.
 // Why not the number in the list: clipping starts anywhere, and a corner that comes or goes would
-// rename all that follow. Why not the reference face: which of two faces is the reference may change
-// without anything else changing.
+// rename all that follow. Why not the reference face: which of two faces is the reference may
+// change without anything else changing.
 // The name is one number: two bits of kind for each body and fourteen bits of index, A in the upper
 // half, B in the lower. Swapping the bodies swaps the halves.
 // Source: Catto's feature pairs, GDC 2006.

@@ -1,9 +1,9 @@
 #pragma once
 // Which is the shortest way out of an overlap?
 //
-// Method: on every axis the bodies can be pushed apart forwards or backwards; the shorter of the two
-// is the displacement of that axis, and the axis with the shortest displacement of all wins. The
-// displacement of the pair lies along it.
+// Method: on every axis the bodies can be pushed apart forwards or backwards; the shorter of the
+// two is the displacement of that axis, and the axis with the shortest displacement of all wins.
+// The displacement of the pair lies along it.
 // Two traps. The length that two shadows share is not the push: a small body deep inside a large
 // one shares its own width only, and is still inside after being moved by that. And an axis that is
 // not of length one measures in its own unit, so its depth must be divided by its length before

@@ -29,7 +29,8 @@ struct ReferencePlane {
   Vector3 normal;  ///< unit, the manifold's, out of the reference body [1, world]
 };
 
-/// From heights along the normal of a face to heights along a direction beside it. \ingroup manifold
+/// From heights along the normal of a face to heights along a direction beside it.
+/// \ingroup manifold
 struct Shear {
   Real stretch = 1;  ///< height along the direction per height along the face's normal
   Real x = 0;        ///< component of the direction along x

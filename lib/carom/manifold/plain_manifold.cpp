@@ -43,8 +43,8 @@ int faceTowards(const ConvexHull& hull, const Pose& pose, const Vector3& directi
 }
 
 // Names the corners of a clipped face: a corner of the incident face keeps the name of that corner
-// on the reference face. Plain clipping does not say which edges met in a new corner, so that one is
-// called an edge by its place in the loop; collideHulls() knows better.
+// on the reference face. Plain clipping does not say which edges met in a new corner, so that one
+// is called an edge by its place in the loop; collideHulls() knows better.
 std::vector<std::uint32_t> namesOf(const std::vector<FacePoint>& points, bool referenceIsA,
                                    int referenceFace, const std::vector<Vector3>& incidentCorners) {
   std::vector<FeaturePair> pairs;

@@ -4,7 +4,8 @@
 // Method: list the axes, take the least displacement, clip the faces or cross the edges, name the
 // points, keep four. Every step is a function that an exercise replaces; a program that is built
 // with a student's functions takes this way, so a wrong answer shows.
-// Why beside the fast one: this is what the page explains, and what collideHulls() is compared with.
+// Why beside the fast one: this is what the page explains, and what collideHulls() is compared
+// with.
 // Not handled: speed; (FA + FB + EA EB)(VA + VB) products.
 
 #include "carom/core/real.hpp"

@@ -1,9 +1,10 @@
 #pragma once
 // Which four of many contact points hold a body as all of them would?
 //
-// Method: the points are the corners of a convex polygon, in order. Of all ways to choose four, take
-// the one that spans the largest area: for each diagonal the farthest corner on either side. If the
-// deepest corner is not among them, it takes the place of a neighbour, the one that costs less area.
+// Method: the points are the corners of a convex polygon, in order. Of all ways to choose four,
+// take the one that spans the largest area: for each diagonal the farthest corner on either side.
+// If the deepest corner is not among them, it takes the place of a neighbour, the one that costs
+// less area.
 // Why four: a solver's work grows with the points, and a rigid body on a plane cannot tell four
 // points at the ends from forty between them, as long as its weight stays above the same area.
 // Why not the four deepest: they often stand side by side.

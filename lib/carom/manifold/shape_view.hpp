@@ -2,7 +2,8 @@
 // Any convex shape, without copying it.
 //
 // A body's shape is a variant of all shapes, a part of a compound a variant of the convex ones. The
-// pair functions want neither to know nor to copy a hull: a pointer to the shape itself serves both.
+// pair functions want neither to know nor to copy a hull: a pointer to the shape itself serves
+// both.
 // Not handled: nothing is owned; a view dies with its shape.
 
 #include <type_traits>

@@ -1,6 +1,6 @@
 #pragma once
-// The truth about two boxes, in quadruple precision: all fifteen axes, every product and sum with 33
-// digits. Slow and without any cleverness, so that it shares no idea with what it judges.
+// The truth about two boxes, in quadruple precision: all fifteen axes, every product and sum with
+// 33 digits. Slow and without any cleverness, so that it shares no idea with what it judges.
 
 #include <algorithm>
 #include <array>

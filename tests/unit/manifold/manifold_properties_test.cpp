@@ -170,8 +170,8 @@ TEST_CASE("a rigid motion of both bodies moves the manifold with them") {
         if (closedForm && here.count == there.count) {
           worst = std::max(worst, largestDifference(here, there, motion));
         } else {
-          // The normal of an iteration is right to a few millionths; where two lines are nearly parallel
-          // the place of their deepest point hangs on it more than that.
+          // The normal of an iteration is right to a few millionths; where two lines are nearly
+          // parallel the place of their deepest point hangs on it more than that.
           worst =
               std::max(worst, 1e-7 * (directionToWorld(motion, here.normal) - there.normal).norm());
           worst = std::max(worst, 1e-7 * std::abs(deepestOf(here) - deepestOf(there)));

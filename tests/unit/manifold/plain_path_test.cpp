@@ -1,5 +1,6 @@
-// A program built with a student's functions takes the plain way: the manifold of two polyhedra must
-// then be made of the replaceable functions. This program is linked with the object that says so.
+// A program built with a student's functions takes the plain way: the manifold of two polyhedra
+// must then be made of the replaceable functions. This program is linked with the object that says
+// so.
 
 #include "carom/core/variant.hpp"
 #include "carom/manifold/collide.hpp"
