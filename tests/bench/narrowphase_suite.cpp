@@ -134,7 +134,7 @@ std::vector<BodyPair> boxPairs(std::size_t count, Real gap, std::uint64_t seed) 
   carom::Random random(seed);
   std::vector<BodyPair> pairs;
   while (pairs.size() < count) {
-    BodyPair pair{anyPose(random), anyPose(random), {}, {}};
+    BodyPair pair{anyPose(random), anyPose(random), Vector3::Ones(), Vector3::Ones()};
     for (Real& x : pair.halfA) x = random.between(0.2, 1);
     for (Real& x : pair.halfB) x = random.between(0.2, 1);
     pairs.push_back(placed(pair, direction(random), gap,
@@ -341,7 +341,7 @@ int main(int argc, char** argv) {
     std::vector<BodyPair> hulls;
     carom::Random random(6);
     while (hulls.size() < kPairs) {
-      const BodyPair pair{anyPose(random), anyPose(random), {}, {}};
+      const BodyPair pair{anyPose(random), anyPose(random), Vector3::Ones(), Vector3::Ones()};
       hulls.push_back(placed(pair, direction(random), gap, [&](const BodyPair& p) {
         return carom::signedDistance(hullA[0], p.A, hullB[0], p.B).separation;
       }));
