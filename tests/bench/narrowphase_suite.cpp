@@ -203,7 +203,7 @@ std::vector<PairMethod> ours(const std::vector<ConvexShape>& a, const std::vecto
            }}};
 }
 
-void append(std::vector<PairMethod>& methods, std::vector<PairMethod> more) {
+[[maybe_unused]] void append(std::vector<PairMethod>& methods, std::vector<PairMethod> more) {
   for (PairMethod& method : more) methods.push_back(std::move(method));
 }
 
