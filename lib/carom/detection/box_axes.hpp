@@ -170,24 +170,32 @@ inline std::array<Real, 9> gapsOnEdges(const BoxPair& pair, Real size, Real toBe
   return gaps;
 }
 
-/// Chooses the best of six faces: of those within a tie of the best axis the largest, then the
-/// first. \param pair the boxes \param onA gaps on A's normals \param onB gaps on B's normals
+/// Chooses the best of six faces: of those within a tie of the best axis the largest; of equally
+/// large ones of both bodies that with the higher tieScore(), of one body the first.
+/// \param pair the boxes \param onA gaps on A's normals \param onB gaps on B's normals
 /// \param threshold smallest gap that still ties [m] \return 0-2 of A, 3-5 of B
 /// \ingroup detection
 inline int bestFace(const BoxPair& pair, const Vector3& onA, const Vector3& onB, Real threshold) {
-  int best = -1;
-  Real bestArea = 0;
-  for (int f = 0; f < 6; ++f) {
-    const Real gap = f < 3 ? onA[f] : onB[f - 3];
-    if (gap < threshold) continue;
-    const Vector3& h = f < 3 ? pair.hA : pair.hB;
-    const Real area = h[(f + 1) % 3] * h[(f + 2) % 3];
-    if (area > bestArea * (1 + kAxisTie)) {
-      bestArea = area;
-      best = f;
+  const auto largest = [threshold](const Vector3& gaps, const Vector3& h, Real& area) {
+    int best = -1;
+    area = 0;
+    for (int k = 0; k < 3; ++k) {
+      const Real size = h[(k + 1) % 3] * h[(k + 2) % 3];
+      if (gaps[k] < threshold || !(size > area * (1 + kAxisTie))) continue;
+      area = size;
+      best = k;
     }
-  }
-  return best;
+    return best;
+  };
+  Real areaA, areaB;
+  const int a = largest(onA, pair.hA, areaA), b = largest(onB, pair.hB, areaB);
+  if (b < 0) return a;
+  if (a < 0) return b + 3;
+  if (std::abs(areaA - areaB) > kAxisTie * areaA) return areaA > areaB ? a : b + 3;
+  // Outward of A is towards B, outward of B away from where A sees it.
+  const Real scoreA = tieScore(pair.A->R_WB.col(a)) * (pair.t[a] < 0 ? -1 : 1);
+  const Real scoreB = tieScore(pair.B->R_WB.col(b)) * (pair.tB[b] < 0 ? 1 : -1);
+  return scoreA >= scoreB ? a : b + 3;
 }
 
 /// The best of the fifteen axes. \param pair the boxes

@@ -52,12 +52,12 @@ class Candidates {
     }
     list_[count_++] = candidate;
   }
-  // The best by a rule, of those within a tie; null if there are none.
+  // The best of one kind by a rule, of those within a tie; null if there are none.
   template <class Better>
-  const Candidate* choose(const Better& better) const {
+  const Candidate* choose(AxisKind kind, const Better& better) const {
     const Candidate* chosen = nullptr;
     for (int i = 0; i < count_; ++i) {
-      if (list_[i].gap < best_ - tie_) continue;
+      if (list_[i].kind != kind || list_[i].gap < best_ - tie_) continue;
       if (chosen == nullptr || better(list_[i], *chosen)) chosen = &list_[i];
     }
     return chosen;
@@ -627,20 +627,32 @@ class Search {
     return x.featureB < y.featureB;
   }
 
-  // Of faces that tie the largest, then the first.
-  bool betterFace(const Candidate& x, const Candidate& y) const {
-    const Real areaX =
-        x.kind == AxisKind::faceOfA ? areaOf(pair_.a, x.featureA) : areaOf(pair_.b, x.featureB);
-    const Real areaY =
-        y.kind == AxisKind::faceOfA ? areaOf(pair_.a, y.featureA) : areaOf(pair_.b, y.featureB);
-    if (std::abs(areaX - areaY) > kAxisTie * std::max(areaX, areaY)) return areaX > areaY;
-    return precedes(x, y);
+  Real areaOf(const Candidate& c) const {
+    return c.kind == AxisKind::faceOfA ? areaOf(pair_.a, c.featureA) : areaOf(pair_.b, c.featureB);
+  }
+
+  // Of one body's faces that tie the largest, then the first; of both bodies' the larger, then the
+  // one with the higher score. Two steps, so that the order of the list has no say.
+  const Candidate* bestFace() const {
+    const auto better = [this](const Candidate& x, const Candidate& y) {
+      const Real areaX = areaOf(x), areaY = areaOf(y);
+      if (std::abs(areaX - areaY) > kAxisTie * std::max(areaX, areaY)) return areaX > areaY;
+      return precedes(x, y);
+    };
+    const Candidate* ofA = faces_.choose(AxisKind::faceOfA, better);
+    const Candidate* ofB = faces_.choose(AxisKind::faceOfB, better);
+    if (ofA == nullptr || ofB == nullptr) return ofA != nullptr ? ofA : ofB;
+    const Real areaA = areaOf(*ofA), areaB = areaOf(*ofB);
+    if (std::abs(areaA - areaB) > kAxisTie * areaA) return areaA > areaB ? ofA : ofB;
+    // Candidates' normals point from A to B: out of A, into B.
+    const Real scoreA = tieScore(pair_.R_WA * ofA->normal);
+    const Real scoreB = -tieScore(pair_.R_WA * ofB->normal);
+    return scoreA >= scoreB ? ofA : ofB;
   }
 
   HullAxis answer(bool all) const {
-    const Candidate* face =
-        faces_.choose([this](const Candidate& x, const Candidate& y) { return betterFace(x, y); });
-    const Candidate* edges = edges_.choose(precedes);
+    const Candidate* face = bestFace();
+    const Candidate* edges = edges_.choose(AxisKind::edges, precedes);
     // A face unless edges are better by more than a tie; and never a face that hides a gap.
     const bool faceWins = edges == nullptr || (face != nullptr && face->gap >= threshold() &&
                                                !(best() > 0 && faces_.best() <= 0));
@@ -717,6 +729,7 @@ HullPair hullPair(const HullView& a, const Pose& A, const HullView& b, const Pos
   pair.b = b;
   pair.R.noalias() = A.R_WB.transpose() * B.R_WB;
   pair.t.noalias() = A.R_WB.transpose() * (B.p_WB - A.p_WB);
+  pair.R_WA = A.R_WB;
   pair.size = a.boundingRadius + b.boundingRadius;
   pair.reach = pair.size + a.centroid.cwiseAbs().sum() + b.centroid.cwiseAbs().sum() +
                pair.t.cwiseAbs().sum();

@@ -32,6 +32,7 @@ struct HullPair {
   HullView b;      ///< second
   Matrix3 R;       ///< rotation of B in the frame of A
   Vector3 t;       ///< B's origin [m, frame of A]
+  Matrix3 R_WA;    ///< rotation of A in the world
   Real size = 0;   ///< sum of the bounding radii [m]
   Real reach = 0;  ///< no coordinate in the computation is larger, roughly [m]
 };

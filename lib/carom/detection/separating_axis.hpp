@@ -42,6 +42,16 @@ inline Verdict verdictOf(Real separation) {
   return separation < 0 ? Verdict::overlapping : Verdict::touching;
 }
 
+/// Which of two faces that look at each other is taken where gap and area tie: the one whose outward
+/// normal scores higher. The direction is like no other, so that rounding does not decide between
+/// bodies that stand straight on each other, as the order of their positions would.
+/// \param normal outward unit normal [1, world]
+/// \return score; opposite normals have opposite ones
+/// \ingroup detection
+inline Real tieScore(const Vector3& normal) {
+  return normal.dot(Vector3(0.3127, 0.5431, 0.7793));
+}
+
 /// Axes whose gaps differ by less than this, relative to the size of the bodies, are equally good:
 /// a few hundred roundings. Then a face wins over a pair of edges, so that a body that lies flat is
 /// held at all its corners, and not at one crossing of edges that rounding chose.

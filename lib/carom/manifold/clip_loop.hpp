@@ -8,7 +8,7 @@
 // products of two numbers. Why fixed memory: a step must not allocate.
 // Not handled: loops that outgrow the memory of the caller; a cut adds at most one corner.
 
-#include <array>
+#include <cmath>
 #include <cstdint>
 
 #include "carom/core/real.hpp"
@@ -28,19 +28,25 @@ struct ClipCorner {
 /// \tparam Value callable: signed height of a corner over the cutting plane
 /// \param in corners in order \param count how many \param label of the edge that the cut makes
 /// \param value signed height over the cut, linear in the corner
+/// \param snap corners this close to the cut lie on it: so that corners that coincide but for
+///   rounding keep their names [unit of value]
 /// \param out receives the corners that are left; not `in`
 /// \return how many are left
 /// \ingroup manifold
 template <class Value>
 inline int clipLoop(const ClipCorner* in, int count, std::int32_t label, const Value& value,
-                    ClipCorner* out) {
+                    Real snap, ClipCorner* out) {
   int kept = 0;
   if (count == 0) return 0;
-  Real height = value(in[0]);
+  const auto snapped = [&](const ClipCorner& corner) {
+    const Real height = value(corner);
+    return std::abs(height) <= snap ? 0 : height;
+  };
+  Real height = snapped(in[0]);
   for (int i = 0; i < count; ++i) {
     const ClipCorner& from = in[i];
     const ClipCorner& to = in[i + 1 < count ? i + 1 : 0];
-    const Real next = value(to);
+    const Real next = snapped(to);
     if (height <= 0) out[kept++] = from;
     // Always from the corner that is kept, so that an edge is cut alike both ways round.
     if (height < 0 && next > 0) {

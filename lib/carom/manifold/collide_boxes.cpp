@@ -90,14 +90,15 @@ void fillFromFaces(const BoxPair& pair, int face, const Vector3& normal, bool al
   // Cut by the sides of the rectangle that it reaches beyond.
   const Real wide = std::abs(e1.x) + std::abs(e2.x), high = std::abs(e1.y) + std::abs(e2.y);
   const Real hx = h[k1], hy = h[k2];
+  const Real snap = kAxisTie * detail::sizeOf(pair);
   const auto cut = [&](int label, const auto& value) {
-    count = detail::clipLoop(loop, count, label, value, spare);
+    count = detail::clipLoop(loop, count, label, value, snap, spare);
     std::swap(loop, spare);
   };
-  if (c.x + wide > hx) cut(4, [hx](const ClipCorner& p) { return p.x - hx; });
-  if (c.y + high > hy) cut(5, [hy](const ClipCorner& p) { return p.y - hy; });
-  if (c.x - wide < -hx) cut(6, [hx](const ClipCorner& p) { return -p.x - hx; });
-  if (c.y - high < -hy) cut(7, [hy](const ClipCorner& p) { return -p.y - hy; });
+  if (c.x + wide > hx + snap) cut(4, [hx](const ClipCorner& p) { return p.x - hx; });
+  if (c.y + high > hy + snap) cut(5, [hy](const ClipCorner& p) { return p.y - hy; });
+  if (c.x - wide < -hx - snap) cut(6, [hx](const ClipCorner& p) { return -p.x - hx; });
+  if (c.y - high < -hy - snap) cut(7, [hy](const ClipCorner& p) { return -p.y - hy; });
 
   // A corner is named by the edges that meet in it.
   const int incidentBase = towards > 0 ? 1 << j : 0;

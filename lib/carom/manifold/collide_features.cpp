@@ -52,7 +52,7 @@ void clipAgainstFace(const FacingFeature& face, const FacingFeature& other, bool
                      fixed.y + part * (loop[moved].y - fixed.y),
                      fixed.height + part * (loop[moved].height - fixed.height), kReference + i};
     } else {
-      count = detail::clipLoop(loop, count, kReference + i, outside, spare);
+      count = detail::clipLoop(loop, count, kReference + i, outside, 0, spare);
       std::swap(loop, spare);
     }
   }
@@ -131,7 +131,8 @@ Manifold detail::collideFeaturesOf(const ShapeView& a, const Pose& A, const Shap
   const Vector3 against = -gap.normal;
   if (onA.count > 2 && onB.count > 2) {
     const Real cosineA = onA.normal.dot(gap.normal), cosineB = onB.normal.dot(against);
-    if (cosineA >= cosineB - kAxisTie) {
+    const bool tie = std::abs(cosineA - cosineB) <= kAxisTie;
+    if (tie ? tieScore(gap.normal) >= 0 : cosineA > cosineB) {
       clipAgainstFace(onA, onB, true, gap.normal, A.p_WB, limit, manifold);
     } else {
       clipAgainstFace(onB, onA, false, against, A.p_WB, limit, manifold);

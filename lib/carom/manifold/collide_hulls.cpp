@@ -99,10 +99,12 @@ void fillFromFaces(const HullPair& pair, const Pose& A, bool ofA, int referenceF
     const Real x = from.dot(u), y = from.dot(v);
     const Real dx = to.dot(u) - x, dy = to.dot(v) - y;
     const auto outside = [=](const ClipCorner& c) { return (c.x - x) * dy - (c.y - y) * dx; };
+    // outside() measures in multiples of the side's length.
+    const Real snap = kAxisTie * pair.size * (std::abs(dx) + std::abs(dy));
     bool cuts = false;
-    for (int k = 0; k < count; ++k) cuts |= outside(loop[k]) > 0;
+    for (int k = 0; k < count; ++k) cuts |= outside(loop[k]) > snap;
     if (cuts) {
-      count = detail::clipLoop(loop, count, kReference + i, outside, spare);
+      count = detail::clipLoop(loop, count, kReference + i, outside, snap, spare);
       std::swap(loop, spare);
     }
     from = to;
@@ -190,7 +192,8 @@ void fill(const HullPair& pair, const Pose& A, const HullAxis& axis, Real margin
   if (flatA > kNearlyFlat && flatB > kNearlyFlat) {
     const int faceA = leftA >= rightA ? edgeA.leftFace : edgeA.rightFace;
     const int faceB = leftB >= rightB ? edgeB.leftFace : edgeB.rightFace;
-    const bool ofA = flatA >= flatB - kAxisTie;
+    const bool tie = std::abs(flatA - flatB) <= kAxisTie;
+    const bool ofA = tie ? tieScore(manifold.normal) >= 0 : flatA > flatB;
     fillFromFaces(pair, A, ofA, ofA ? faceA : faceB, ofA ? faceB : faceA, axis.normal, false, limit,
                   manifold);
     if (manifold.count > 0) return;

@@ -94,7 +94,8 @@ Real reachOf(const Polygon& polygon) {
 
 // The reference edge belongs to `reference`; the normal of the result points out of it.
 void cutEdge(const Polygon& reference, const PlanarPose& R, std::size_t edge,
-             const Polygon& incident, const PlanarPose& relative, Real limit, Manifold& manifold) {
+             const Polygon& incident, const PlanarPose& relative, Real limit, Real snap,
+             Manifold& manifold) {
   // The incident edge looks most against the normal; the first of equal ones.
   const Vector2& normal = reference.normals[edge];
   std::size_t against = 0;
@@ -124,8 +125,9 @@ void cutEdge(const Polygon& reference, const PlanarPose& R, std::size_t edge,
   };
   End ends[2] = {endOf(against), endOf(next)};
   const auto cut = [&](Real at, Real sign, std::size_t corner) {
+    // Ends that coincide with the corner but for rounding stay as they are, and keep their names.
     const Real over0 = sign * (ends[0].along - at), over1 = sign * (ends[1].along - at);
-    if (over0 <= 0 && over1 <= 0) return;
+    if (over0 <= snap && over1 <= snap) return;
     if (over0 > 0 && over1 > 0) {
       // Beyond the end altogether, by rounding: both ends go to the nearer one.
       ends[over0 < over1 ? 1 : 0] = ends[over0 < over1 ? 0 : 1];
@@ -168,12 +170,17 @@ Manifold collidePolygons(const Polygon& a, const PlanarPose& A, const Polygon& b
   const Real separation = std::max(onA.gap, onB.gap);
   if (separation > margin) return manifold;
   const bool tied = std::abs(onA.gap - onB.gap) <= tie;
-  const bool ofA = tied ? onA.length >= onB.length * (1 - kAxisTie) : onA.gap > onB.gap;
+  // By gap, then by length, then by a rule that rounding does not sway.
+  const bool alike = tied && std::abs(onA.length - onB.length) <= kAxisTie * onA.length;
+  const Vector2 out = directionToWorld(A, a.normals[onA.edge]);
+  const bool ofA = alike  ? tieScore({out.x(), out.y(), 0}) >= 0
+                   : tied ? onA.length > onB.length
+                          : onA.gap > onB.gap;
   const Real limit = std::max(margin, separation + tie);
   if (ofA) {
-    cutEdge(a, A, onA.edge, b, bInA, limit, manifold);
+    cutEdge(a, A, onA.edge, b, bInA, limit, tie, manifold);
   } else {
-    cutEdge(b, B, onB.edge, a, aInB, limit, manifold);
+    cutEdge(b, B, onB.edge, a, aInB, limit, tie, manifold);
     detail::swapBodies(manifold);
   }
   return manifold;

@@ -153,7 +153,7 @@ inline void fillFromLoop(const ReferencePlane& plane, const ClipCorner* loop, in
   } else {
     ClipCorner part[kMostCorners];
     const int left = clipLoop(
-        loop, count, -1, [limit](const ClipCorner& c) { return c.height - limit; }, part);
+        loop, count, -1, [limit](const ClipCorner& c) { return c.height - limit; }, 0, part);
     area = areaOf(part, left);
   }
   manifold.area = area.area;
