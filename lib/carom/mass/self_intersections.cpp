@@ -51,8 +51,12 @@ bool noneDisagrees(const Signs& s) {
 
 // The coordinate along which a triangle seems largest.
 int widestView(const Triangle& t) {
+  // Halves, because a difference may overflow; then sides of length about one, because squares may.
+  Vector3 u = t[1] / 2 - t[0] / 2, w = t[2] / 2 - t[0] / 2;
+  u /= u.cwiseAbs().maxCoeff();
+  w /= w.cwiseAbs().maxCoeff();
   Eigen::Index drop = 0;
-  cross(t[1] - t[0], t[2] - t[0]).cwiseAbs().maxCoeff(&drop);
+  cross(u, w).cwiseAbs().maxCoeff(&drop);
   return static_cast<int>(drop);
 }
 
@@ -64,9 +68,11 @@ int turn(const Vector3& p, const Vector3& q, const Vector3& r, int drop) {
   const Real left = ux * wy, right = uy * wx;
   const Real size = std::abs(left) + std::abs(right);
   constexpr Real kError = 1e-15;  // above the error of differences, products and sum: 3 2^-53
-  constexpr Real kTiny = 1e-200;  // far from products that vanish
-  if (std::abs(left - right) > kError * size && size > kTiny) return left > right ? 1 : -1;
-  if (size > kTiny && exactDifference(q[i], p[i]).low == 0 &&
+  constexpr Real kTiny = 1e-200, kHuge = 1e290;  // far from products that vanish or overflow
+  if (std::abs(left - right) > kError * size && size > kTiny && size < kHuge) {
+    return left > right ? 1 : -1;
+  }
+  if (size > kTiny && size < kHuge && exactDifference(q[i], p[i]).low == 0 &&
       exactDifference(q[j], p[j]).low == 0 && exactDifference(r[i], p[i]).low == 0 &&
       exactDifference(r[j], p[j]).low == 0) {
     // The differences are what they should be, so the two products decide.
@@ -77,7 +83,8 @@ int turn(const Vector3& p, const Vector3& q, const Vector3& r, int drop) {
   Vector3 a = p, b = q, c = r;
   a[drop] = b[drop] = c[drop] = 0;
   Vector3 above = a;
-  above[drop] = 1;
+  above[drop] =
+      std::max({a.cwiseAbs().maxCoeff(), b.cwiseAbs().maxCoeff(), c.cwiseAbs().maxCoeff()});
   return -orientation(above, a, b, c);
 }
 
@@ -207,7 +214,8 @@ class Tree {
       const Vector3 middle = ((a - all.low) / 3 + (b - all.low) / 3 + (c - all.low) / 3) * cells;
       std::uint64_t code = 0;
       for (int k = 0; k < 3; ++k) {
-        const Real cell = std::clamp(middle[k], Real(0), Real(2097151));
+        // What is not a number, in a mesh too large for its size to be one, goes to the first cell.
+        const Real cell = middle[k] >= 0 ? std::min(middle[k], Real(2097151)) : 0;
         code |= spread(static_cast<std::uint64_t>(cell)) << k;
       }
       order[t] = {code, static_cast<std::int32_t>(t)};

@@ -116,8 +116,8 @@ TEST_CASE("the tree finds what the comparison of all pairs finds") {
   Random random(5);
   for (int round = 0; round < 20; ++round) {
     TriangleMesh mesh = icosphereMesh(1, 2);
-    // Vertices pushed in and out, on a coarse grid in every other round: many exact coincidences.
-    for (Vector3& v : mesh.vertices) v *= random.between(0.2, 1.8);
+    // Vertices pushed about, on a coarse grid in every other round: many exact coincidences.
+    for (Vector3& v : mesh.vertices) v += random.vector(0.3);
     if (round % 2 == 0) mesh = withoutFlatTriangles(snapToGrid(mesh, 0.125));
     INFO("round " << round << " (seed 5)");
     CHECK(selfIntersections(mesh, kAll) == allPairs(mesh));
@@ -159,6 +159,22 @@ TEST_CASE("two triangles with a common edge meet elsewhere only if folded flat")
   CHECK(meet(kFloor, {{{0, 0, 0}, {4, 0, 0}, {1, 1, 0}}}));
   CHECK(meet(kFloor, {{{4, 0, 0}, {0, 0, 0}, {-7, 9, 0}}}));
   CHECK(meet(kFloor, {{{4, 0, 0}, {0, 0, 0}, {0, 4, 0}}}));  // the same one
+}
+
+TEST_CASE("a mesh of any size has the same pairs") {
+  Random random(6);
+  TriangleMesh mesh = icosphereMesh(1, 2);
+  for (Vector3& v : mesh.vertices) v += random.vector(0.3);
+  for (const TriangleMesh& given : {mesh, withoutFlatTriangles(snapToGrid(mesh, 0.125))}) {
+    const auto pairs = selfIntersections(given, kAll);
+    CHECK(pairs.size() > 20);
+    for (const int power : {-900, -400, 400, 900, 1022}) {
+      INFO("times 2^" << power);
+      // Powers of two change no digit, but squares and products leave the range of a double.
+      const TriangleMesh scaled = transformed(given, std::ldexp(1.0, power) * Matrix3::Identity());
+      CHECK(selfIntersections(scaled, kAll) == pairs);
+    }
+  }
 }
 
 TEST_CASE("the list of pairs is bounded") {
