@@ -42,9 +42,9 @@ inline Verdict verdictOf(Real separation) {
   return separation < 0 ? Verdict::overlapping : Verdict::touching;
 }
 
-/// Which of two faces that look at each other is taken where gap and area tie: the one whose outward
-/// normal scores higher. The direction is like no other, so that rounding does not decide between
-/// bodies that stand straight on each other, as the order of their positions would.
+/// Which of two faces that look at each other is taken where gap and area tie: the one whose
+/// outward normal scores higher. The direction is like no other, so that rounding does not decide
+/// between bodies that stand straight on each other, as the order of their positions would.
 /// \param normal outward unit normal [1, world]
 /// \return score; opposite normals have opposite ones
 /// \ingroup detection
