@@ -34,9 +34,9 @@ struct Aabb {
 template <int Dim>
 bool meets(const Aabb<Dim>& a, const Aabb<Dim>& b) {
   // & and not &&: six comparisons without a branch are faster than guessing which one fails.
-  bool all = true;
-  for (int i = 0; i < Dim; ++i) all &= (a.high(i) >= b.low(i)) & (b.high(i) >= a.low(i));
-  return all;
+  int all = 1;
+  for (int i = 0; i < Dim; ++i) all &= int(a.high(i) >= b.low(i)) & int(b.high(i) >= a.low(i));
+  return all != 0;
 }
 
 /// The smallest box around two boxes.
