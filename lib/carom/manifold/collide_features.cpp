@@ -17,6 +17,14 @@ using detail::ClipCorner;
 using detail::FacingFeature;
 
 constexpr std::int32_t kReference = 1 << 20;
+// Sine of the angle below which a sharp edge lies along another line: its ends are then off it by
+// a ten-millionth of the length.
+constexpr Real kParallelEdges = 1e-7;
+
+bool isPolyhedron(const detail::ShapeView& shape) {
+  return std::holds_alternative<const Box*>(shape) ||
+         std::holds_alternative<const ConvexHull*>(shape);
+}
 
 // A face as the reference, a face or a line held against it. `normal` points out of the reference.
 void clipAgainstFace(const FacingFeature& face, const FacingFeature& other, bool faceIsA,
@@ -79,15 +87,14 @@ void clipAgainstFace(const FacingFeature& face, const FacingFeature& other, bool
 }
 
 // Two lines side by side: the ends of the part that they have in common.
-void compareLines(const FacingFeature& a, const FacingFeature& b, const Vector3& normal,
-                  const Vector3& worldOrigin, Real limit, Manifold& manifold) {
+void compareLines(const FacingFeature& a, const FacingFeature& b, Real mostSine,
+                  const Vector3& normal, const Vector3& worldOrigin, Real limit,
+                  Manifold& manifold) {
   const Vector3 along = a.corners[1] - a.corners[0];
   const Vector3 other = b.corners[1] - b.corners[0];
   const Real square = along.squaredNorm();
   const Real lengths = square * other.squaredNorm();
-  if (!(cross(along, other).squaredNorm() < detail::kFacingSine * detail::kFacingSine * lengths)) {
-    return;
-  }
+  if (!(cross(along, other).squaredNorm() < mostSine * mostSine * lengths)) return;
   // B's ends as fractions of A's line.
   const Real start = (b.corners[0] - a.corners[0]).dot(along) / square;
   const Real end = (b.corners[1] - a.corners[0]).dot(along) / square;
@@ -142,7 +149,10 @@ Manifold detail::collideFeaturesOf(const ShapeView& a, const Pose& A, const Shap
   } else if (onB.count > 2 && onA.count == 2) {
     clipAgainstFace(onB, onA, false, against, A.p_WB, limit, manifold);
   } else if (onA.count == 2 && onB.count == 2) {
-    compareLines(onA, onB, gap.normal, A.p_WB, limit, manifold);
+    // The line of a capsule or cylinder rolls under another; a sharp edge crosses it in one point.
+    const bool sharp = isPolyhedron(a) || isPolyhedron(b);
+    compareLines(onA, onB, sharp ? kParallelEdges : detail::kFacingSine, gap.normal, A.p_WB, limit,
+                 manifold);
   }
   detail::keepDeepest((gap.pointA + gap.pointB) / 2, gap.separation, reach,
                       (onA.cornerNames[0] << 16) | onB.cornerNames[0], manifold);

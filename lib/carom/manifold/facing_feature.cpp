@@ -99,6 +99,26 @@ void ofCylinder(const Cylinder& cylinder, const Matrix3& R, const Vector3& place
   feature.edgeNames[0] = feature.edgeNames[1] = nameOf(FeatureKind::surface, 0);
 }
 
+// Of the edges that leave a vertex, the one that is most nearly square to a direction; -1 if none is within a few
+// degrees of it.
+int facingEdge(const HullView& hull, int vertex, const Vector3& direction_B) {
+  int best = -1;
+  Real least = kFacingSine;
+  int side = hull.anyHalfEdge[vertex];
+  do {
+    const int e = hull.halfEdges[side].edge;
+    const Vector3 along = hull.vertices[hull.edges[e].to] - hull.vertices[hull.edges[e].from];
+    const Real sine = std::abs(along.dot(direction_B)) / along.norm();
+    const bool tie = best >= 0 && std::abs(sine - least) <= kAxisTie;
+    if (tie ? e < best : sine <= least) {
+      best = e;
+      least = sine;
+    }
+    side = hull.halfEdges[hull.halfEdges[side].twin].next;
+  } while (side != hull.anyHalfEdge[vertex]);
+  return best;
+}
+
 void ofPolyhedron(const HullView& hull, const Matrix3& R, const Vector3& place,
                   const Vector3& direction, FacingFeature& feature) {
   const Vector3 direction_B = R.transpose() * direction;
@@ -118,6 +138,16 @@ void ofPolyhedron(const HullView& hull, const Matrix3& R, const Vector3& place,
     side = hull.halfEdges[hull.halfEdges[side].twin].next;
   } while (side != hull.anyHalfEdge[vertex]);
   if (most < kFacingCosine) {
+    if (const int e = facingEdge(hull, vertex, direction_B); e >= 0) {
+      const HullEdge& edge = hull.edges[e];
+      feature.count = 2;
+      feature.corners[0] = place + R * hull.vertices[edge.from];
+      feature.corners[1] = place + R * hull.vertices[edge.to];
+      feature.cornerNames[0] = nameOf(FeatureKind::vertex, edge.from);
+      feature.cornerNames[1] = nameOf(FeatureKind::vertex, edge.to);
+      feature.edgeNames[0] = feature.edgeNames[1] = nameOf(FeatureKind::edge, e);
+      return;
+    }
     setPoint(place + R * hull.vertices[vertex], nameOf(FeatureKind::vertex, vertex), feature);
     return;
   }

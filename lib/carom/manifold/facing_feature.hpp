@@ -1,9 +1,9 @@
 #pragma once
 // Which part of a body looks into a direction: a face, a line, or a point?
 //
-// Method: the face of a box or hull that is within a few degrees of the direction; the cap or the
-// line of a cylinder, the line of a capsule; and if none is, the farthest point. Two such features
-// make the manifold of any two convex bodies once the normal is known.
+// Method: the face of a box or hull that is within a few degrees of the direction, or else such an
+// edge; the cap or the line of a cylinder, the line of a capsule; and if none is, the farthest
+// point. Two such features make the manifold of any two convex bodies once the normal is known.
 // A cap is a polygon of 32 corners that turn with the body, so that the points of a cylinder that
 // stands still keep their names.
 // Source: the supporting faces of Jolt (Rouwe) and of Bullet's polyhedral clipping.

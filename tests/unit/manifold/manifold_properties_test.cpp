@@ -326,6 +326,30 @@ TEST_CASE("a floor under every shape") {
   CHECK(std::abs((line.points[0].position - line.points[1].position).norm() - 1) <= 1e-15);
 }
 
+TEST_CASE("a box that stands on an edge is held at both ends of it") {
+  const HalfSpace floor{{0, 0, 1}, 0};
+  const Cylinder table{3, 1};
+  const Pose under = poseOf({1, 0, 0, 0}, {0, 0, -1});
+  const Box box{{1, 0.5, 0.5}};
+  const ConvexHull hull = boxHull(box.halfExtents);
+  for (const Real angle : {0.7853981633974483, 0.5, 0.2}) {
+    INFO("turned by " << angle);
+    const Real height = 0.5 * (std::sin(angle) + std::cos(angle)) - 1e-3;
+    const Pose B = poseOf({std::cos(angle / 2), std::sin(angle / 2), 0, 0}, {0, 0, height});
+    for (const Manifold& manifold :
+         {collideHalfSpace(floor, Pose(), box, B), collideHalfSpace(floor, Pose(), hull, B),
+          collide(table, under, box, B), collide(table, under, hull, B)}) {
+      REQUIRE(manifold.count == 2);
+      CHECK((manifold.normal - Vector3(0, 0, 1)).norm() <= 1e-12);
+      const Vector3 edge = manifold.points[1].position - manifold.points[0].position;
+      CHECK(std::abs(std::abs(edge.x()) - 2) <= 1e-12);
+      CHECK(edge.tail<2>().norm() <= 1e-12);
+      for (const auto k : {0u, 1u}) CHECK(std::abs(manifold.points[k].separation + 1e-3) <= 1e-12);
+      CHECK(manifold.points[0].id != manifold.points[1].id);
+    }
+  }
+}
+
 TEST_CASE("the deepest point of any body over a floor is among its points") {
   Random random(45);
   const HalfSpace floor{{0, 0, 1}, 0};
