@@ -7,7 +7,7 @@
 // Why both: the source walks along the edges of A only, and calls 903 of 20000 random pairs
 // colliding that are not. Why normals: an edge's own direction shows the length of the edge, not
 // what lies beyond it. Touching means that no axis separates and that one just touches; the source
-// wants all axes to touch, which no pair ever does.
+// wants all axes to touch, as only two corners whose sides are in line do.
 // Cost: (nA + nB)² dot products. Source: section 5.2; Gottschalk, Lin and Manocha 1996.
 // Not handled: concave polygons; they are cut into convex parts.
 

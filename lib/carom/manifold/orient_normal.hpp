@@ -4,8 +4,8 @@
 // Method: the direction in which B comes free sooner. Push B forwards along the axis until its near
 // end passes A's far end, or backwards until its far end passes A's near end, and compare.
 // Why not the line from centre to centre, as the source suggests: the centres only agree with it
-// for bodies of equal shadows around them. A long beam whose centre is far to the left may lie
-// against a wall on its left with its right end.
+// for bodies whose shadows lie evenly around them. A nail has its centre near the head: driven
+// through a board, it comes out forwards or backwards by its ends, not by its centre.
 // Why not the sign that the axis happens to have: a cross product of edges points either way.
 // Source: section 5.4, put right.
 // Not handled: when both ways are equally long the axis keeps its own direction.
