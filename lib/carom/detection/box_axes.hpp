@@ -249,18 +249,13 @@ inline int swappedAxis(int axis) {
 }
 
 /// Whether the pair is to be treated as (B, A), so that swapping the arguments swaps the answer to
-/// the last bit: by position, then size, then orientation.
+/// the last bit: by pose, then by size.
 /// \param a first box \param A its pose \param b second box \param B its pose
 /// \return true if b comes first \ingroup detection
 inline bool comesSecond(const Box& a, const Pose& A, const Box& b, const Pose& B) {
-  for (int k = 0; k < 3; ++k) {
-    if (A.p_WB[k] != B.p_WB[k]) return A.p_WB[k] > B.p_WB[k];
-  }
+  if (const int order = comparePoses(A, B); order != 0) return order > 0;
   for (int k = 0; k < 3; ++k) {
     if (a.halfExtents[k] != b.halfExtents[k]) return a.halfExtents[k] > b.halfExtents[k];
-  }
-  for (int k = 0; k < 9; ++k) {
-    if (A.R_WB.data()[k] != B.R_WB.data()[k]) return A.R_WB.data()[k] > B.R_WB.data()[k];
   }
   return false;
 }

@@ -13,6 +13,7 @@
 
 #include "carom/core/real.hpp"
 #include "carom/core/two_sum.hpp"
+#include "carom/precision/grow_expansion.hpp"
 
 namespace carom {
 
@@ -29,7 +30,7 @@ class ExactNumber {
 
   /// Adds another number. \param other any number \return this number
   ExactNumber& operator+=(const ExactNumber& other) {
-    for (const Real part : other.parts_) grow(part);
+    for (const Real part : other.parts_) growExpansion(parts_, part);
     return *this;
   }
 
@@ -48,7 +49,7 @@ class ExactNumber {
 
   /// Difference. \param a first term \param b second term \return a - b
   friend ExactNumber operator-(ExactNumber a, const ExactNumber& b) {
-    for (const Real part : b.parts_) a.grow(-part);
+    for (const Real part : b.parts_) growExpansion(a.parts_, -part);
     return a;
   }
 
@@ -58,8 +59,8 @@ class ExactNumber {
     for (const Real x : a.parts_) {
       for (const Real y : b.parts_) {
         const TwoProduct p = twoProduct(x, y);
-        result.grow(p.error);
-        result.grow(p.product);
+        growExpansion(result.parts_, p.error);
+        growExpansion(result.parts_, p.product);
       }
     }
     return result;
@@ -79,17 +80,6 @@ class ExactNumber {
   }
 
  private:
-  void grow(Real term) {
-    std::size_t kept = 0;
-    for (const Real part : parts_) {
-      const TwoSum s = twoSum(term, part);
-      if (s.error != 0) parts_[kept++] = s.error;  // never ahead of the entry just read
-      term = s.sum;
-    }
-    parts_.resize(kept);
-    if (term != 0) parts_.push_back(term);
-  }
-
   std::vector<Real> parts_;  // increasing in size, not overlapping, none zero
 };
 

@@ -129,6 +129,35 @@ inline PlanarPose relativePose(const PlanarPose& A, const PlanarPose& B) {
           directionToBody(A, B.p_WB - A.p_WB)};
 }
 
+/// An order of poses, by position, then by the entries of the rotation. Methods that treat the
+/// smaller one as A give (A, B) and (B, A) the same answer to the last bit.
+/// \param A a pose \param B another
+/// \return negative if A comes first, positive if B does, zero if they are the same
+/// \ingroup detection
+inline int comparePoses(const Pose& A, const Pose& B) {
+  for (int k = 0; k < 3; ++k) {
+    if (A.p_WB[k] != B.p_WB[k]) return A.p_WB[k] < B.p_WB[k] ? -1 : 1;
+  }
+  for (int k = 0; k < 9; ++k) {
+    const Real ofA = A.R_WB.data()[k], ofB = B.R_WB.data()[k];
+    if (ofA != ofB) return ofA < ofB ? -1 : 1;
+  }
+  return 0;
+}
+
+/// The same in the plane: by position, then by cosine and sine of the angle.
+/// \param A a pose \param B another
+/// \return negative if A comes first, positive if B does, zero if they are the same
+/// \ingroup detection
+inline int comparePoses(const PlanarPose& A, const PlanarPose& B) {
+  for (int k = 0; k < 2; ++k) {
+    if (A.p_WB[k] != B.p_WB[k]) return A.p_WB[k] < B.p_WB[k] ? -1 : 1;
+  }
+  if (A.cosine != B.cosine) return A.cosine < B.cosine ? -1 : 1;
+  if (A.sine != B.sine) return A.sine < B.sine ? -1 : 1;
+  return 0;
+}
+
 /// The pose of a part of a body: first the part in the body, then the body in the world.
 /// \param body pose of the body, world from body
 /// \param part pose of the part, body from part

@@ -3,7 +3,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <utility>
 
 #include "carom/core/cross.hpp"
 #include "carom/core/variant.hpp"
@@ -102,15 +101,6 @@ SeparatingAxis separateOrdered(const Box& a, const Pose& A, const Box& b, const 
   }
   result.verdict = verdictOf(result.separation);
   return result;
-}
-
-SeparatingAxis swapped(SeparatingAxis answer) {
-  answer.axis = -answer.axis;
-  std::swap(answer.featureA, answer.featureB);
-  if (answer.kind != AxisKind::edges) {
-    answer.kind = answer.kind == AxisKind::faceOfA ? AxisKind::faceOfB : AxisKind::faceOfA;
-  }
-  return answer;
 }
 
 }  // namespace

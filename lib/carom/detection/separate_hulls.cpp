@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <utility>
 #include <vector>
 
 #include "carom/core/cross.hpp"
@@ -151,15 +150,6 @@ SeparatingAxis separateOrdered(const HullView& a, const Pose& A, const HullView&
   return result;
 }
 
-SeparatingAxis swapped(SeparatingAxis answer) {
-  answer.axis = -answer.axis;
-  std::swap(answer.featureA, answer.featureB);
-  if (answer.kind != AxisKind::edges) {
-    answer.kind = answer.kind == AxisKind::faceOfA ? AxisKind::faceOfB : AxisKind::faceOfA;
-  }
-  return answer;
-}
-
 SeparatingAxis separateViews(const HullView& a, const Pose& A, const HullView& b, const Pose& B) {
   if (detail::comesSecond(a, A, b, B)) return swapped(separateOrdered(b, B, a, A));
   return separateOrdered(a, A, b, B);
@@ -170,12 +160,7 @@ SeparatingAxis separateViews(const HullView& a, const Pose& A, const HullView& b
 namespace detail {
 
 bool comesSecond(const HullView& a, const Pose& A, const HullView& b, const Pose& B) {
-  for (int k = 0; k < 3; ++k) {
-    if (A.p_WB[k] != B.p_WB[k]) return A.p_WB[k] > B.p_WB[k];
-  }
-  for (int k = 0; k < 9; ++k) {
-    if (A.R_WB.data()[k] != B.R_WB.data()[k]) return A.R_WB.data()[k] > B.R_WB.data()[k];
-  }
+  if (const int order = comparePoses(A, B); order != 0) return order > 0;
   if (a.vertexCount != b.vertexCount) return a.vertexCount > b.vertexCount;
   for (int i = 0; i < a.vertexCount; ++i) {
     for (int k = 0; k < 3; ++k) {

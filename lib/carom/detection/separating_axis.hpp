@@ -9,6 +9,8 @@
 // For bodies that are apart the gap on the best axis is at most their distance: equal if a face or
 // a pair of crossing edges is nearest, less if a corner is. distances come from GJK.
 
+#include <utility>
+
 #include "carom/core/real.hpp"
 #include "carom/detection/verdict.hpp"
 
@@ -40,6 +42,17 @@ struct SeparatingAxis {
 inline Verdict verdictOf(Real separation) {
   if (separation > 0) return Verdict::separated;
   return separation < 0 ? Verdict::overlapping : Verdict::touching;
+}
+
+/// The same answer when A and B are called the other way round.
+/// \param answer for (A, B) \return the answer for (B, A) \ingroup detection
+inline SeparatingAxis swapped(SeparatingAxis answer) {
+  answer.axis = -answer.axis;
+  std::swap(answer.featureA, answer.featureB);
+  if (answer.kind != AxisKind::edges) {
+    answer.kind = answer.kind == AxisKind::faceOfA ? AxisKind::faceOfB : AxisKind::faceOfA;
+  }
+  return answer;
 }
 
 /// Which of two faces that look at each other is taken where gap and area tie: the one whose

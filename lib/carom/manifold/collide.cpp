@@ -21,12 +21,7 @@ using detail::ShapeView;
 // Whether a pair is to be treated as (b, a): by kind, then by position, orientation and size.
 bool comesSecond(const ShapeView& a, const Pose& A, const ShapeView& b, const Pose& B) {
   if (a.index() != b.index()) return a.index() > b.index();
-  for (int k = 0; k < 3; ++k) {
-    if (A.p_WB[k] != B.p_WB[k]) return A.p_WB[k] > B.p_WB[k];
-  }
-  for (int k = 0; k < 9; ++k) {
-    if (A.R_WB.data()[k] != B.R_WB.data()[k]) return A.R_WB.data()[k] > B.R_WB.data()[k];
-  }
+  if (const int order = comparePoses(A, B); order != 0) return order > 0;
   const auto sizesOf = [](const ShapeView& shape) -> Vector2 {
     if (const auto* ball = std::get_if<const Ball*>(&shape)) return {(*ball)->radius, 0};
     if (const auto* capsule = std::get_if<const Capsule*>(&shape)) {

@@ -7,7 +7,7 @@
 #include "carom/detection/box_axes.hpp"
 #include "carom/detection/separate_boxes.hpp"
 #include "carom/manifold/clip_loop.hpp"
-#include "carom/manifold/contact_ids.hpp"
+#include "carom/manifold/feature_name.hpp"
 #include "carom/manifold/loop_manifold.hpp"
 #include "carom/manifold/plain_manifold.hpp"
 #include "carom/manifold/swap_manifold.hpp"
@@ -18,14 +18,12 @@ namespace {
 using detail::BoxAxis;
 using detail::BoxPair;
 using detail::ClipCorner;
+using detail::nameOf;
 
 // Two faces closer than this to the normal (8 degrees) are clipped although edges cross.
 constexpr Real kNearlyFlat = 0.99;
 
 // Names of a box's features, from the signs of its axes.
-constexpr std::uint32_t nameOf(FeatureKind kind, int index) {
-  return (static_cast<std::uint32_t>(kind) << 14) | static_cast<std::uint32_t>(index);
-}
 constexpr std::uint32_t faceName(int axis, Real sign) {
   return nameOf(FeatureKind::face, 2 * axis + (sign > 0 ? 1 : 0));
 }

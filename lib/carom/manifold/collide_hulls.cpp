@@ -8,7 +8,7 @@
 #include "carom/detection/hull_axes.hpp"
 #include "carom/detection/separate_hulls.hpp"
 #include "carom/manifold/clip_loop.hpp"
-#include "carom/manifold/contact_ids.hpp"
+#include "carom/manifold/feature_name.hpp"
 #include "carom/manifold/loop_manifold.hpp"
 #include "carom/manifold/plain_manifold.hpp"
 #include "carom/manifold/swap_manifold.hpp"
@@ -21,15 +21,12 @@ using detail::HullAxis;
 using detail::HullHint;
 using detail::HullPair;
 using detail::HullView;
+using detail::nameOf;
 
 // Two faces closer than this to the normal (8 degrees) are clipped although edges cross.
 constexpr Real kNearlyFlat = 0.99;
 // Labels of the sides of the reference face start here; those of the incident face at 0.
 constexpr std::int32_t kReference = 1 << 20;
-
-std::uint32_t nameOf(FeatureKind kind, std::int32_t index) {
-  return (static_cast<std::uint32_t>(kind) << 14) | (static_cast<std::uint32_t>(index) & 0x3fffu);
-}
 
 // Of the faces around a vertex the one that looks most against a direction [frame of the hull].
 int faceAgainst(const HullView& hull, int vertex, const Vector3& direction) {

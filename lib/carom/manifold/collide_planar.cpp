@@ -7,15 +7,13 @@
 #include "carom/core/checks.hpp"
 #include "carom/detection/closest_point.hpp"
 #include "carom/detection/separating_axis.hpp"
-#include "carom/manifold/contact_ids.hpp"
+#include "carom/manifold/feature_name.hpp"
 #include "carom/manifold/swap_manifold.hpp"
 
 namespace carom {
 namespace {
 
-std::uint32_t nameOf(FeatureKind kind, std::size_t index) {
-  return (static_cast<std::uint32_t>(kind) << 14) | (static_cast<std::uint32_t>(index) & 0x3fffu);
-}
+using detail::nameOf;
 
 void setPoint(const Vector2& normal, const Vector2& middle, Real separation, Manifold& manifold) {
   manifold.normal = {normal.x(), normal.y(), 0};
@@ -190,10 +188,7 @@ Manifold collidePolygons(const Polygon& a, const PlanarPose& A, const Polygon& b
 bool comesSecond(const ConvexPlanarShape& a, const PlanarPose& A, const ConvexPlanarShape& b,
                  const PlanarPose& B) {
   if (a.index() != b.index()) return a.index() > b.index();
-  if (A.p_WB.x() != B.p_WB.x()) return A.p_WB.x() > B.p_WB.x();
-  if (A.p_WB.y() != B.p_WB.y()) return A.p_WB.y() > B.p_WB.y();
-  if (A.cosine != B.cosine) return A.cosine > B.cosine;
-  if (A.sine != B.sine) return A.sine > B.sine;
+  if (const int order = comparePoses(A, B); order != 0) return order > 0;
   const Polygon* polygonA = std::get_if<Polygon>(&a);
   const Polygon* polygonB = std::get_if<Polygon>(&b);
   if (polygonA == nullptr || polygonB == nullptr) return false;

@@ -7,14 +7,10 @@
 #include "carom/core/elementary.hpp"
 #include "carom/detection/hull_axes.hpp"
 #include "carom/detection/hull_view.hpp"
-#include "carom/manifold/contact_ids.hpp"
+#include "carom/manifold/feature_name.hpp"
 
 namespace carom::detail {
 namespace {
-
-std::uint32_t nameOf(FeatureKind kind, int index) {
-  return (static_cast<std::uint32_t>(kind) << 14) | (static_cast<std::uint32_t>(index) & 0x3fffu);
-}
 
 void setPoint(const Vector3& point, std::uint32_t name, FacingFeature& feature) {
   feature.count = 1;
@@ -99,8 +95,8 @@ void ofCylinder(const Cylinder& cylinder, const Matrix3& R, const Vector3& place
   feature.edgeNames[0] = feature.edgeNames[1] = nameOf(FeatureKind::surface, 0);
 }
 
-// Of the edges that leave a vertex, the one that is most nearly square to a direction; -1 if none is within a few
-// degrees of it.
+// Of the edges that leave a vertex, the one that is most nearly square to a direction; -1 if none
+// is within a few degrees of it.
 int facingEdge(const HullView& hull, int vertex, const Vector3& direction_B) {
   int best = -1;
   Real least = kFacingSine;

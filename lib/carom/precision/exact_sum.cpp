@@ -1,18 +1,12 @@
 #include "carom/precision/exact_sum.hpp"
 
 #include "carom/core/two_sum.hpp"
+#include "carom/precision/grow_expansion.hpp"
 
 namespace carom {
 
 void ExactSum::add(Real term) {
-  std::size_t kept = 0;
-  for (const Real part : parts_) {
-    const TwoSum s = twoSum(term, part);
-    if (s.error != 0) parts_[kept++] = s.error;  // never ahead of the entry just read
-    term = s.sum;
-  }
-  parts_.resize(kept);
-  if (term != 0) parts_.push_back(term);
+  growExpansion(parts_, term);
 }
 
 void ExactSum::addProduct(Real a, Real b, Real c) {
