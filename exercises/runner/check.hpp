@@ -7,7 +7,8 @@
 
 namespace carom::runner {
 
-/// The words for how a check ended. "wrong", "stopped" and "not started" are different things to a student.
+/// The words for how a check ended. "wrong", "stopped" and "not started" are different things to a
+/// student.
 enum class Status { passed, wrong, notStarted, stopped, notRun, refused, doesNotCompile, ourFault };
 const char* nameOf(Status status);
 
@@ -51,12 +52,13 @@ struct Version {
   fs::path selfCheck;  ///< linked with the tests; empty: not yet
 };
 
-/// Keeps what was compiled and linked as long as it lives, so that many checks of the same files compile each
-/// file once. For one exercise; the files must not change meanwhile.
+/// Keeps what was compiled and linked as long as it lives, so that many checks of the same files
+/// compile each file once. For one exercise; the files must not change meanwhile.
 class Workbench {
  public:
   explicit Workbench(const Project& project) : folder_(project) {}
-  /// \param screened a version that the screen has not seen is another one than the same file screened
+  /// \param screened a version that the screen has not seen is another one than the same file
+  /// screened
   Version& version(const fs::path& source, bool screened) {
     const auto path = fs::absolute(source).lexically_normal();
     // What the screen let pass has been compiled as it would be without it.

@@ -137,7 +137,8 @@ struct Closest {
       }
       if (above) return {over, x - over * face.normal, face.normal};
     }
-    // What a tiny gap leans along its edge is rounding; one of the size of rounding has no direction.
+    // What a tiny gap leans along its edge is rounding; one of the size of rounding has no
+    // direction.
     Vector3 gap = x - best;
     gap -= gap.dot(along) * along;
     const Real distance = length(gap);
