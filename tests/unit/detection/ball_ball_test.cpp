@@ -24,7 +24,8 @@ Verdict verdictOfSign(Real D) {
 }  // namespace
 
 TEST_CASE("D1: the three cases of figure 4, exactly") {
-  for (const json& row : detectionCase("D1")["rows"]) {
+  const json all = detectionCase("D1");
+  for (const json& row : all.at("rows")) {
     const Vector3 a = readVector(row["centerA"]), b = readVector(row["centerB"]);
     const Real r = readNumber(row["radii"][0]), s = readNumber(row["radii"][1]);
     const Real D = readNumber(row["D"]);
