@@ -16,6 +16,9 @@ constexpr Real kInfinity = std::numeric_limits<Real>::infinity();
 constexpr Real kSmallSine = 0.05;
 // Edges at a smaller sine are parallel: a face normal is as good as a tie.
 constexpr Real kParallelSine = 1e-12;
+// Of an edge whose faces lie nearly back to back (cosine of their normals below this: they meet at
+// an angle of 1.4e-3), rounding decides which way is out.
+constexpr Real kKnifeEdge = -1 + 1e-6;
 // Gaps are sums of a dozen products of coordinates; each rounds by 1.1e-16 of the largest.
 constexpr Real kRounding = 32 * 1.1102230246251565e-16;
 
@@ -588,6 +591,13 @@ class Search {
     const Real length = std::sqrt(square);
     Vector3 normal = axis / length;
     if (normal.dot(arcA.left + arcA.right) < 0) normal = -normal;
+    if (arcA.left.dot(arcA.right) < kKnifeEdge || arcB.left.dot(arcB.right) < kKnifeEdge) {
+      // Both ways are gaps that are surely there; the wrong one is a very negative one.
+      edges_.add({gapAlong(normal), AxisKind::edges, arcA.edge, arcB.edge, normal});
+      normal = -normal;
+      edges_.add({gapAlong(normal), AxisKind::edges, arcA.edge, arcB.edge, normal});
+      return;
+    }
     Real gap = normal.dot(arcB.start - arcA.start);
     if (square < kSmallSine * kSmallSine * sides) {
       // The direction is off by rounding over sine, and with it the height of one edge over the
@@ -598,12 +608,16 @@ class Search {
       const Real blur = std::min(kRounding * pair_.reach / sine, 2 * sine * pair_.size);
       if (gap + blur < threshold()) return;
       blur_ = std::max(blur_, blur);
-      const Vector3 lowB =
-          pair_.R * pair_.b.vertices[farthestVertex(pair_.b, -(pair_.R.transpose() * normal))] +
-          pair_.t;
-      gap = normal.dot(lowB - pair_.a.vertices[farthestVertex(pair_.a, normal)]);
+      gap = gapAlong(normal);
     }
     edges_.add({gap, AxisKind::edges, arcA.edge, arcB.edge, normal});
+  }
+
+  // The gap along a direction of the frame of A, from all points of both bodies.
+  Real gapAlong(const Vector3& normal) const {
+    const int lowest = farthestVertex(pair_.b, -(pair_.R.transpose() * normal));
+    const Vector3 lowB = pair_.R * pair_.b.vertices[lowest] + pair_.t;
+    return normal.dot(lowB - pair_.a.vertices[farthestVertex(pair_.a, normal)]);
   }
 
   // Area of a face, for ties.
