@@ -95,8 +95,9 @@ void setPlane(Polytope& polytope, Face& face) {
 
 // A tetrahedron to begin with: two points far apart, one far from their line, one far from the plane
 // of the three. Each is looked for where it must be, square to what is there already.
+// Which corners of the seed are not in it is told in `left`.
 bool firstTetrahedron(const CorePair& pair, const Simplex<3>& seed, Polytope& polytope,
-                      int& iterations) {
+                      int& iterations, std::array<bool, 4>& left) {
   std::array<SimplexVertex<3>, 16> candidates;
   std::size_t count = 0;
   for (int i = 0; i < seed.count; ++i) {
@@ -119,6 +120,7 @@ bool firstTetrahedron(const CorePair& pair, const Simplex<3>& seed, Polytope& po
     }
     return best;
   };
+  for (std::size_t i = 0; i < left.size(); ++i) left[i] = i < count;
   std::array<std::size_t, 4> chosen{};
   if (count < 2) askBothWays(Vector3::UnitX());
   const Vector3 o = candidates[0].difference;
@@ -140,7 +142,10 @@ bool firstTetrahedron(const CorePair& pair, const Simplex<3>& seed, Polytope& po
   }
   chosen[3] = farthest([&](const Vector3& x) { return std::abs(n.dot(x - o)); });
 
-  for (const std::size_t k : chosen) polytope.add(candidates[k]);
+  for (const std::size_t k : chosen) {
+    polytope.add(candidates[k]);
+    if (k < left.size()) left[k] = false;
+  }
   const int side = orientation(polytope.at(0), polytope.at(1), polytope.at(2), polytope.at(3));
   if (side == 0) return false;
   if (side > 0) std::swap(polytope.corners[1], polytope.corners[2]);
@@ -209,6 +214,20 @@ bool grow(Polytope& polytope, int start) {
   return true;
 }
 
+// Lets the polytope reach the seed's other corners too: the seed holds the origin, or comes as near
+// to it as rounding lets it see, and a polytope without it may have the origin far beside it.
+void growToSeed(const Simplex<3>& seed, const std::array<bool, 4>& left, Polytope& polytope) {
+  for (std::size_t i = 0; i < left.size(); ++i) {
+    if (!left[i]) continue;
+    polytope.add(seed.vertices[i]);
+    bool outside = false;
+    for (int f = 0; f < polytope.faceCount && !outside; ++f) {
+      outside = polytope.face(f).alive && grow(polytope, f);
+    }
+    if (!outside) --polytope.cornerCount;
+  }
+}
+
 int nearestFace(const Polytope& polytope) {
   int best = -1;
   Real least = kInfinity;
@@ -251,10 +270,12 @@ void setWitnesses(const Polytope& polytope, Real noise, Penetration& result) {
 Penetration expandPolytope(const CorePair& pair, const Simplex<3>& seed, Real size) {
   Penetration result;
   Polytope polytope;
-  if (!firstTetrahedron(pair, seed, polytope, result.iterations)) {
+  std::array<bool, 4> left{};
+  if (!firstTetrahedron(pair, seed, polytope, result.iterations, left)) {
     result.flat = true;
     return result;
   }
+  growToSeed(seed, left, polytope);
   // A support point is known to a few ulp of the coordinates: what is nearer is no progress.
   const Real noise = 4 * kEpsilon * size;
   Face face;
