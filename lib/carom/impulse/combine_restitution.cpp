@@ -1,0 +1,29 @@
+#include "carom/impulse/combine_restitution.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "carom/core/checks.hpp"
+
+namespace carom {
+
+Real combineRestitution(Real a, Real b, RestitutionRule rule) {
+  for (const Real e : {a, b}) {
+    if (!(e >= 0 && e <= 1)) reject("restitution", toText(e), "must be from 0 to 1");
+  }
+  switch (rule) {
+    case RestitutionRule::average:
+      return (a + b) / 2;
+    case RestitutionRule::product:
+      return a * b;
+    case RestitutionRule::minimum:
+      return std::min(a, b);
+    case RestitutionRule::maximum:
+      return std::max(a, b);
+    case RestitutionRule::geometricMean:
+      return std::sqrt(a) * std::sqrt(b);  // the root of the product would lose tiny coefficients
+  }
+  reject("rule", toText(static_cast<Real>(static_cast<int>(rule))), "names no rule");
+}
+
+}  // namespace carom
