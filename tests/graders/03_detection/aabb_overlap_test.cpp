@@ -1,5 +1,5 @@
-// Grader of 03.aabb_overlap: boxes with whole corners, judged by counting: they overlap if they share
-// a cell of the grid, and touch if they only share points of it.
+// Grader of 03.aabb_overlap: boxes with whole corners, judged by counting: they overlap if they
+// share a cell of the grid, and touch if they only share points of it.
 
 #include "carom/detection/aabb_overlap.hpp"
 

@@ -22,8 +22,8 @@ struct Pair {
   Real distance = 0;
 };
 
-// On each axis B begins `gap` after the end of A, or ends as much before A begins; a negative gap is
-// an overlap.
+// On each axis B begins `gap` after the end of A, or ends as much before A begins; a negative gap
+// is an overlap.
 Pair pairWith(Random& random, const Vector3& gaps) {
   Pair pair;
   Real squares = 0;

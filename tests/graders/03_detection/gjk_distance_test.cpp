@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "carom/core/cross.hpp"
+#include "graders/solids.hpp"
 #include "grading/fields_detection.hpp"
 #include "grading/grade.hpp"
 
@@ -16,36 +17,14 @@ namespace {
 
 constexpr const char* kRounding = "a few roundings of coordinates of this size";
 
-using Points = std::vector<Vector3>;
-
 Points box(const Vector3& center, const Vector3& half) {
   Points all;
-  for (int n = 0; n < 8; ++n) {
-    const Vector3 sign(n & 1 ? 1 : -1, n & 2 ? 1 : -1, n & 4 ? 1 : -1);
-    all.push_back(center + half.cwiseProduct(sign));
-  }
+  for (int n = 0; n < 8; ++n) all.push_back(center + half.cwiseProduct(cubeCorner(n)));
   return all;
 }
 
 Points cubeAt(const Vector3& center, Real half = 1) {
   return box(center, Vector3::Constant(half));
-}
-
-// A turn about an axis, by the rule of Rodrigues.
-Matrix3 turn(const Vector3& axis, Real angle) {
-  const Real s = std::sin(angle), c = std::cos(angle);
-  Matrix3 R;
-  for (int k = 0; k < 3; ++k) {
-    const Vector3 e = Vector3::Unit(k);
-    R.col(k) = c * e + s * cross(axis, e) + (1 - c) * axis.dot(e) * axis;
-  }
-  return R;
-}
-
-Points moved(const Points& points, const Matrix3& R, const Vector3& by) {
-  Points all;
-  for (const Vector3& p : points) all.push_back(R * p + by);
-  return all;
 }
 
 Points cloud(Random& random, const Vector3& center) {
@@ -72,7 +51,7 @@ int longSearches(std::uint64_t start) {
   int count = 0;
   for (int n = 0; n < 80; ++n) {
     const Vector3 beside(2, n % 3 == 0 ? 0.5 : 2, n % 3 == 2 ? 2 : 0.25);
-    const Matrix3 R = turn(random.direction(), random.between(0, 3));
+    const Matrix3 R = anyTurn(random, 0, 3);
     const Vector3 place = random.vector(3);
     const PointDistance d =
         gjkDistance(moved(cubeAt({0, 0, 0}), R, place), moved(cubeAt(beside), R, place));

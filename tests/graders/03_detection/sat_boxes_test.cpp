@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "graders/03_detection/differences.hpp"
+#include "graders/03_detection/roofs.hpp"
 #include "grading/fields_detection.hpp"
 #include "grading/grade.hpp"
 
@@ -19,42 +20,22 @@ constexpr const char* kRounding = "a few roundings of coordinates of this size";
 
 const Box cube{Vector3(1, 1, 1)};
 
-Pose at(const Vector3& place, const Matrix3& R = Matrix3::Identity()) {
-  return {R, place};
-}
-
-// A turn about an axis, by the rule of Rodrigues.
-Matrix3 turn(const Vector3& axis, Real angle) {
-  const Real s = std::sin(angle), c = std::cos(angle);
-  Matrix3 R;
-  for (int k = 0; k < 3; ++k) {
-    const Vector3 e = Vector3::Unit(k);
-    R.col(k) = c * e + s * cross(axis, e) + (1 - c) * axis.dot(e) * axis;
-  }
-  return R;
-}
-
-const Real kEighth = std::acos(-1.0) / 4;  // an eighth of a turn [rad]
-const Pose roof = at({0, 0, 0}, turn(Vector3::UnitY(), kEighth));
-Pose roofAbove(Real height) {
-  return at({0, 0, height}, turn(Vector3::UnitX(), kEighth));
-}
-
 std::vector<Vector3> corners(const Box& box, const Pose& pose) {
   std::vector<Vector3> all;
   for (int n = 0; n < 8; ++n) {
-    const Vector3 sign(n & 1 ? 1 : -1, n & 2 ? 1 : -1, n & 4 ? 1 : -1);
-    all.push_back(pose.R_WB * box.halfExtents.cwiseProduct(sign) + pose.p_WB);
+    all.push_back(pose.R_WB * box.halfExtents.cwiseProduct(cubeCorner(n)) + pose.p_WB);
   }
   return all;
 }
 
 Box anyBox(Random& random) {
-  return {Vector3(random.between(0.2, 1.5), random.between(0.2, 1.5), random.between(0.2, 1.5))};
+  Box box;
+  for (int k = 2; k >= 0; --k) box.halfExtents[k] = random.between(0.2, 1.5);
+  return box;
 }
 Pose anyPose(Random& random, Real away) {
   const Vector3 place = random.vector(away);
-  return at(place, turn(random.direction(), random.between(0, 3)));
+  return at(place, anyTurn(random, 0, 3));
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "graders/03_detection/differences.hpp"
+#include "graders/03_detection/roofs.hpp"
 #include "grading/fields_detection.hpp"
 #include "grading/grade.hpp"
 
@@ -17,30 +18,7 @@ namespace {
 constexpr const char* kYesNo = "a word";
 constexpr const char* kRounding = "a few roundings of coordinates of this size";
 
-using Points = std::vector<Vector3>;
-
 const ConvexHull cube = boxHull({1, 1, 1});
-
-Pose at(const Vector3& place, const Matrix3& R = Matrix3::Identity()) {
-  return {R, place};
-}
-
-// A turn about an axis, by the rule of Rodrigues.
-Matrix3 turn(const Vector3& axis, Real angle) {
-  const Real s = std::sin(angle), c = std::cos(angle);
-  Matrix3 R;
-  for (int k = 0; k < 3; ++k) {
-    const Vector3 e = Vector3::Unit(k);
-    R.col(k) = c * e + s * cross(axis, e) + (1 - c) * axis.dot(e) * axis;
-  }
-  return R;
-}
-
-const Real kEighth = std::acos(-1.0) / 4;  // an eighth of a turn [rad]
-const Pose roof = at({0, 0, 0}, turn(Vector3::UnitY(), kEighth));
-Pose roofAbove(Real height) {
-  return at({0, 0, height}, turn(Vector3::UnitX(), kEighth));
-}
 
 // Four corners in any order; faces turned so that they look outwards.
 ConvexHull tetrahedron(const Points& p) {
@@ -145,9 +123,10 @@ TEST_CASE("any") {
   Random random(seed());
   for (int n = 0; n < 24; ++n) {
     const Points a = fourPoints(random), b = fourPoints(random);
-    const Pose A = at(random.vector(2), turn(random.direction(), random.between(0, 3)));
+    const Matrix3 R = anyTurn(random, 0, 3);
+    const Pose A = at(random.vector(2), R);
     const Vector3 place = A.p_WB + random.vector(0.7);
-    const Pose B = at(place, turn(random.direction(), random.between(0, 3)));
+    const Pose B = at(place, anyTurn(random, 0, 3));
     const BestGap best = bestGap(placed(a, A), placed(b, B));
     const ConvexHull hullA = tetrahedron(a), hullB = tetrahedron(b);
     GRADE(inWords(satHulls(hullA, A, hullB, B).verdict), best.gap > 0 ? "separated" : "overlapping",
@@ -170,9 +149,10 @@ PROBES() {
   Random random(308);
   for (int n = 0; n < 18; ++n) {
     const ConvexHull a = tetrahedron(fourPoints(random)), b = tetrahedron(fourPoints(random));
-    const Pose A = at(random.vector(), turn(random.direction(), random.between(0, 3)));
+    const Matrix3 R = anyTurn(random, 0, 3);
+    const Pose A = at(random.vector(), R);
     const Vector3 place = A.p_WB + random.vector(0.8);
-    PROBE(satHulls(a, A, b, at(place, turn(random.direction(), random.between(0, 3)))));
+    PROBE(satHulls(a, A, b, at(place, anyTurn(random, 0, 3))));
   }
   PROBE(satHulls(cube, at({0, 0, 0}), cube, at({-1.5, 0.25, 0.5})));
   PROBE(satHulls(cube, roof, cube, roofAbove(2.7)));

@@ -1,5 +1,5 @@
-// Grader of 03.sat_polygons: a square and its neighbours, whose numbers are exact, and any polygons,
-// judged by all differences of their corners.
+// Grader of 03.sat_polygons: a square and its neighbours, whose numbers are exact, and any
+// polygons, judged by all differences of their corners.
 
 #include "carom/detection/sat_polygons.hpp"
 

@@ -1,5 +1,5 @@
-// Grader of 04.carry_impulses: lists of names that are shuffled, shortened and lengthened, so that it
-// is known which impulse belongs to which name.
+// Grader of 04.carry_impulses: lists of names that are shuffled, shortened and lengthened, so that
+// it is known which impulse belongs to which name.
 
 #include "carry_impulses.hpp"
 

@@ -1,6 +1,6 @@
-// Grader of 04.clip_polygon: a square whose cuts can be drawn, corners that lie on the plane, and any
-// polygons, of which corners, area and sides of the plane are compared. It does not matter with which
-// corner the answer begins.
+// Grader of 04.clip_polygon: a square whose cuts can be drawn, corners that lie on the plane, and
+// any polygons, of which corners, area and sides of the plane are compared. It does not matter with
+// which corner the answer begins.
 
 #include "carom/manifold/clip_polygon.hpp"
 

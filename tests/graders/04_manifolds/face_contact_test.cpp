@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "carom/core/cross.hpp"
+#include "graders/solids.hpp"
 #include "grading/fields_manifold.hpp"
 #include "grading/grade.hpp"
 
@@ -18,7 +19,6 @@ namespace {
 
 constexpr const char* kRounding = "a few roundings of coordinates of this size";
 
-using Points = std::vector<Vector3>;
 using Contact = std::vector<FacePoint>;
 
 // The same contact, begun at the point that lies farthest in a fixed slanted direction.
@@ -39,22 +39,6 @@ Points rectangle(Real x0, Real y0, Real x1, Real y1, Real z) {
 
 const Vector3 up = Vector3::UnitZ();
 const Points table = rectangle(0, 0, 4, 3, 1);
-
-// A turn about an axis, by the rule of Rodrigues.
-Matrix3 turn(const Vector3& axis, Real angle) {
-  const Real s = std::sin(angle), c = std::cos(angle);
-  Matrix3 R;
-  for (int k = 0; k < 3; ++k) {
-    const Vector3 e = Vector3::Unit(k);
-    R.col(k) = c * e + s * cross(axis, e) + (1 - c) * axis.dot(e) * axis;
-  }
-  return R;
-}
-
-Points turned(Points points, const Matrix3& R, const Vector3& by) {
-  for (Vector3& p : points) p = R * p + by;
-  return points;
-}
 
 // Area that the points enclose, seen along the normal; -1 if they are fewer than three.
 Real areaOf(const Contact& contact, const Vector3& normal) {
@@ -112,13 +96,13 @@ TEST_CASE("turned") {
   const Real root2 = std::sqrt(2.0);
   Random random(seed());
   for (int n = 0; n < 8; ++n) {
-    const Matrix3 R = turn(random.direction(), random.between(0, 3));
+    const Matrix3 R = anyTurn(random, 0, 3);
     const Vector3 place = random.vector(3);
     const Points square = rectangle(-1, -1, 1, 1, 0);
     const Points eighth =
-        turned(rectangle(-1, -1, 1, 1, 0), turn(up, std::acos(-1.0) / 4), {0, 0, -0.1});
-    const Points reference = turned(square, R, place);
-    const Points incident = turned(eighth, R, place);
+        moved(rectangle(-1, -1, 1, 1, 0), turn(up, std::acos(-1.0) / 4), {0, 0, -0.1});
+    const Points reference = moved(square, R, place);
+    const Points incident = moved(eighth, R, place);
     const Vector3 normal = R.col(2);
     GRADE(faceContact(reference, normal, incident, 0).size(), std::size_t{8}, within(0, "a count"),
           given("reference", reference, "m"), given("normal", normal),
@@ -144,13 +128,13 @@ TEST_CASE("none") {
 PROBES() {
   Random random(404);
   for (int n = 0; n < 16; ++n) {
-    const Matrix3 R = turn(random.direction(), random.between(0, 0.3));
+    const Matrix3 R = anyTurn(random, 0, 0.3);
     const Real x = random.between(-1, 3), y = random.between(-1, 2);
-    const Points incident =
-        turned(rectangle(-random.between(1, 2), -random.between(1, 2), 1.5, 1, 0), R, {x, y, 0.9});
+    const Real front = -random.between(1, 2), left = -random.between(1, 2);
+    const Points incident = moved(rectangle(left, front, 1.5, 1, 0), R, {x, y, 0.9});
     // Below the origin and above it.
     const Vector3 lift(0, 0, n % 2 ? -1.5 : 0);
-    PROBE(faceContact(turned(table, Matrix3::Identity(), lift), up,
-                      turned(incident, Matrix3::Identity(), lift), 0));
+    PROBE(faceContact(moved(table, Matrix3::Identity(), lift), up,
+                      moved(incident, Matrix3::Identity(), lift), 0));
   }
 }

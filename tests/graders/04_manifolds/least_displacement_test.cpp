@@ -1,10 +1,11 @@
-// Grader of 04.least_displacement: boxes along the axes, whose ways out can be read off, axes of all
-// lengths, and clouds that have been given a known way out.
+// Grader of 04.least_displacement: boxes along the axes, whose ways out can be read off, axes of
+// all lengths, and clouds that have been given a known way out.
 
 #include "carom/manifold/least_displacement.hpp"
 
 #include <cmath>
 
+#include "graders/solids.hpp"
 #include "grading/fields_manifold.hpp"
 #include "grading/grade.hpp"
 
@@ -15,19 +16,8 @@ namespace {
 
 constexpr const char* kRounding = "a few roundings of coordinates of this size";
 
-using Points = std::vector<Vector3>;
-
-Points box(const Vector3& low, const Vector3& high) {
-  Points all;
-  for (int n = 0; n < 8; ++n) {
-    all.push_back(
-        {n & 1 ? high.x() : low.x(), n & 2 ? high.y() : low.y(), n & 4 ? high.z() : low.z()});
-  }
-  return all;
-}
-
 const Points world = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-const Points cube = box({-1, -1, -1}, {1, 1, 1});
+const Points cube = boxBetween({-1, -1, -1}, {1, 1, 1});
 
 // What must come out for boxes along the axes, by comparing the six ways.
 LeastDisplacement byHand(const Vector3& lowB, const Vector3& highB) {
@@ -46,7 +36,7 @@ LeastDisplacement byHand(const Vector3& lowB, const Vector3& highB) {
 
 void askBox(const Points& axes, const Vector3& low, const Vector3& high, const char* what) {
   const LeastDisplacement expected = byHand(low, high);
-  const Points b = box(low, high);
+  const Points b = boxBetween(low, high);
   GRADE(leastDisplacement(axes, cube, b).separation, expected.separation, within(4e-15, kRounding),
         given("axes", axes), given("a", "the cube [-1,1]^3"), given("low corner of b", low, "m"),
         given("high corner of b", high, "m"), unit("m"), about(what));
@@ -160,5 +150,5 @@ PROBES() {
     const Points a = cloud(random, {0, 0, 0});
     PROBE(leastDisplacement(axes, a, cloud(random, 0.7 * random.vector())));
   }
-  PROBE(leastDisplacement(world, cube, box({-0.25, -0.5, -0.25}, {0.25, 0.75, 0.25})));
+  PROBE(leastDisplacement(world, cube, boxBetween({-0.25, -0.5, -0.25}, {0.25, 0.75, 0.25})));
 }

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "graders/solids.hpp"
 #include "grading/fields_manifold.hpp"
 #include "grading/grade.hpp"
 
@@ -15,18 +16,7 @@ namespace {
 
 constexpr const char* kExact = "the axis itself or its opposite, copied";
 
-using Points = std::vector<Vector3>;
-
-Points box(const Vector3& low, const Vector3& high) {
-  Points all;
-  for (int n = 0; n < 8; ++n) {
-    all.push_back(
-        {n & 1 ? high.x() : low.x(), n & 2 ? high.y() : low.y(), n & 4 ? high.z() : low.z()});
-  }
-  return all;
-}
-
-const Points cube = box({-1, -1, -1}, {1, 1, 1});
+const Points cube = boxBetween({-1, -1, -1}, {1, 1, 1});
 
 // A cloud whose shadow on a direction is exactly what is wanted: two points at the ends, the others
 // between them.
@@ -54,9 +44,10 @@ void askBoth(const Vector3& axis, const Points& a, const Points& b, const Vector
 }  // namespace
 
 TEST_CASE("sides") {
-  askBoth({1, 0, 0}, cube, box({0.75, -1, -1}, {2.75, 1, 1}), {1, 0, 0}, "B is on the right");
-  askBoth({0, 0, 1}, cube, box({-1, -1, -2.5}, {1, 1, -0.5}), {0, 0, -1}, "B hangs below A");
-  askBoth({0, 3, 0}, cube, box({-1, 2, -1}, {1, 3, 1}), {0, 3, 0},
+  askBoth({1, 0, 0}, cube, boxBetween({0.75, -1, -1}, {2.75, 1, 1}), {1, 0, 0},
+          "B is on the right");
+  askBoth({0, 0, 1}, cube, boxBetween({-1, -1, -2.5}, {1, 1, -0.5}), {0, 0, -1}, "B hangs below A");
+  askBoth({0, 3, 0}, cube, boxBetween({-1, 2, -1}, {1, 3, 1}), {0, 3, 0},
           "B is apart from A; the axis is not of length one, and need not be");
 }
 
@@ -77,9 +68,9 @@ TEST_CASE("centres") {
 }
 
 TEST_CASE("inside") {
-  askBoth({1, 0, 0}, cube, box({0.25, -0.25, -0.25}, {0.75, 0.25, 0.25}), {1, 0, 0},
+  askBoth({1, 0, 0}, cube, boxBetween({0.25, -0.25, -0.25}, {0.75, 0.25, 0.25}), {1, 0, 0},
           "B wholly inside A, near its right side");
-  askBoth({1, 0, 0}, box({0.25, -0.25, -0.25}, {0.75, 0.25, 0.25}), cube, {-1, 0, 0},
+  askBoth({1, 0, 0}, boxBetween({0.25, -0.25, -0.25}, {0.75, 0.25, 0.25}), cube, {-1, 0, 0},
           "A wholly inside B, near its right side");
   GRADE(orientNormal({0, -2, 0}, cube, cube), Vector3(0, -2, 0), within(0, kExact),
         given("axis", Vector3(0, -2, 0)), given("a", "the cube [-1,1]^3"),

@@ -1,5 +1,5 @@
-// Grader of 04.polygon_centroid: polygons with fractions for answers, in the plane and under any turn,
-// and what clipping leaves when it leaves no area.
+// Grader of 04.polygon_centroid: polygons with fractions for answers, in the plane and under any
+// turn, and what clipping leaves when it leaves no area.
 
 #include "carom/manifold/polygon_centroid.hpp"
 
@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "carom/core/cross.hpp"
+#include "graders/solids.hpp"
 #include "grading/fields_manifold.hpp"
 #include "grading/grade.hpp"
 
@@ -16,8 +17,6 @@ using namespace carom::grading;
 namespace {
 
 constexpr const char* kRounding = "a few roundings of coordinates of this size";
-
-using Points = std::vector<Vector3>;
 
 struct Known {
   const char* what;
@@ -45,22 +44,6 @@ const Known known[] = {
      {2, 2, 5}},
 };
 
-// A turn about an axis, by the rule of Rodrigues.
-Matrix3 turn(const Vector3& axis, Real angle) {
-  const Real s = std::sin(angle), c = std::cos(angle);
-  Matrix3 R;
-  for (int k = 0; k < 3; ++k) {
-    const Vector3 e = Vector3::Unit(k);
-    R.col(k) = c * e + s * cross(axis, e) + (1 - c) * axis.dot(e) * axis;
-  }
-  return R;
-}
-
-Points turned(Points points, const Matrix3& R, const Vector3& by) {
-  for (Vector3& p : points) p = R * p + by;
-  return points;
-}
-
 }  // namespace
 
 TEST_CASE("known") {
@@ -85,9 +68,9 @@ TEST_CASE("turned") {
   Random random(seed());
   for (int n = 0; n < 12; ++n) {
     const Known& k = known[n % 4];
-    const Matrix3 R = turn(random.direction(), random.between(0.3, 3));
+    const Matrix3 R = anyTurn(random, 0.3, 3);
     const Vector3 place = random.vector(4);
-    Points corners = turned(k.corners, R, place);
+    Points corners = moved(k.corners, R, place);
     GRADE(polygonCentroid(corners).centroid, Vector3(R * k.centroid + place),
           within(2e-14, kRounding), given("polygon", corners, "m"), unit("m"), about(k.what));
     GRADE(polygonCentroid(corners).area, k.area, within(4e-14, kRounding),
@@ -117,9 +100,9 @@ TEST_CASE("refuses") {
 PROBES() {
   Random random(406);
   for (int n = 0; n < 16; ++n) {
-    const Matrix3 R = turn(random.direction(), random.between(0.3, 3));
+    const Matrix3 R = anyTurn(random, 0.3, 3);
     const Vector3 place = random.vector(4);
-    PROBE(polygonCentroid(turned(known[n % 2].corners, R, place)));
+    PROBE(polygonCentroid(moved(known[n % 2].corners, R, place)));
   }
   PROBE(polygonCentroid(Points{{2, 1, 0}, {2, 2, 0}}));
 }

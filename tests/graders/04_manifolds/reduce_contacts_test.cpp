@@ -1,6 +1,6 @@
-// Grader of 04.reduce_contacts: rectangles with bulges, of which the best four are known, and regular
-// polygons pulled askew, of which the largest area is known. Where several choices are as good, the
-// area is asked and not the numbers.
+// Grader of 04.reduce_contacts: rectangles with bulges, of which the best four are known, and
+// regular polygons pulled askew, of which the largest area is known. Where several choices are as
+// good, the area is asked and not the numbers.
 
 #include "carom/manifold/reduce_contacts.hpp"
 
