@@ -104,6 +104,9 @@ std::vector<PairMethod> bulletHulls(const ConvexHull& a, const ConvexHull& b,
   const auto data = std::make_shared<Data>(Data{Transforms(pairs), {}, {}});
   for (const Vector3& v : a.vertices) data->a.addPoint(toBullet(v));
   for (const Vector3& v : b.vertices) data->b.addPoint(toBullet(v));
+  // Its hulls are a margin of 4 cm larger than their corners unless told otherwise.
+  data->a.setMargin(0);
+  data->b.setMargin(0);
   return {{"Bullet GJK+EPA", [data](std::size_t i) {
              return gjkEpa(data->a, data->at.A[i], data->b, data->at.B[i]);
            }}};
