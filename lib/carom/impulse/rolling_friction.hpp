@@ -1,9 +1,9 @@
 #pragma once
 // Why does a ball that rolls on a level table stop at all?
 //
-// Sliding friction cannot do it: the lowest point of a rolling ball stands still. But ball and cloth
-// give way a little, and the table presses mostly in front of the middle. The normal force acts
-// there, at a distance b, and turns the ball backwards.
+// Sliding friction cannot do it: the lowest point of a rolling ball stands still. But ball and
+// cloth give way a little, and the table presses mostly in front of the middle. The normal force
+// acts there, at a distance b, and turns the ball backwards.
 // Method: a torque b N against the rolling; over a short time an angular impulse b jn. It can stop
 // the rolling, but not turn it back: at most inertia times rate.
 // Why b is a length: it is how far in front of the middle the table presses. Tables list b/R, 0.005

@@ -1,6 +1,6 @@
 #pragma once
-// What the tests of the impulse layer share: reference values from tests/cases/impulse.json, bodies,
-// and what an impact must keep.
+// What the tests of the impulse layer share: reference values from tests/cases/impulse.json,
+// bodies, and what an impact must keep.
 
 #include <algorithm>
 #include <cmath>

@@ -1,0 +1,278 @@
+#include "carom/impulse/simultaneous_impacts.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <numeric>
+#include <string>
+
+#include "carom/core/checks.hpp"
+#include "carom/core/cross.hpp"
+#include "carom/impulse/change_velocities.hpp"
+#include "carom/impulse/linear_complementarity.hpp"
+#include "carom/impulse/passive_impact.hpp"
+
+namespace carom {
+
+namespace {
+
+using Numbers = std::vector<int>;
+
+std::size_t at(int i) {
+  return static_cast<std::size_t>(i);
+}
+
+bool movable(const MovingBody& body) {
+  return body.mass.inverseMass > 0 || body.mass.inverseInertia.cwiseAbs().maxCoeff() > 0;
+}
+
+// The bodies and contacts of one call.
+class Scene {
+ public:
+  Scene(std::span<MovingBody> bodies, std::span<const BodyContact> contacts)
+      : bodies_(bodies), contacts_(contacts), group_(bodies.size()) {}
+
+  int count() const {
+    return static_cast<int>(contacts_.size());
+  }
+
+  const BodyContact& contact(int i) const {
+    return contacts_[at(i)];
+  }
+
+  // u . n of a contact.
+  Real parting(int i) const {
+    const BodyContact& c = contact(i);
+    return relativeVelocity(bodies_[at(c.bodyA)], bodies_[at(c.bodyB)], c.contact)
+        .dot(c.contact.normal);
+  }
+
+  // What rounding can leave of a speed at this contact that should be zero.
+  Real rounding(int i) const {
+    const BodyContact& c = contact(i);
+    const auto speed = [](const MovingBody& body, const Vector3& arm) {
+      return body.velocity.linear.norm() + body.velocity.angular.norm() * arm.norm();
+    };
+    constexpr Real kShare = 16 * std::numeric_limits<Real>::epsilon();
+    return kShare * (speed(bodies_[at(c.bodyA)], c.contact.armA) +
+                     speed(bodies_[at(c.bodyB)], c.contact.armB));
+  }
+
+  // How much a unit impulse at contact j changes the parting speed at contact i.
+  Real coupling(int i, int j) const {
+    const BodyContact &p = contact(i), &q = contact(j);
+    Real sum = 0;
+    if (p.bodyA == q.bodyA) sum += through(p.bodyA, p.contact.armA, p, q.contact.armA, q);
+    if (p.bodyB == q.bodyB) sum += through(p.bodyB, p.contact.armB, p, q.contact.armB, q);
+    if (p.bodyA == q.bodyB) sum -= through(p.bodyA, p.contact.armA, p, q.contact.armB, q);
+    if (p.bodyB == q.bodyA) sum -= through(p.bodyB, p.contact.armB, p, q.contact.armA, q);
+    return sum;
+  }
+
+  void push(int i, const Vector3& impulse) {
+    const BodyContact& c = contact(i);
+    changeVelocities(bodies_[at(c.bodyA)], bodies_[at(c.bodyB)], c.contact, impulse);
+  }
+
+  // Coulomb's friction at one contact that had a normal impulse: against the slip, at most to a
+  // stop.
+  void rub(int i, Real normalImpulse) {
+    const BodyContact& c = contact(i);
+    if (c.law.friction == 0 || normalImpulse == 0) return;
+    const Vector3 u = relativeVelocity(bodies_[at(c.bodyA)], bodies_[at(c.bodyB)], c.contact);
+    const Vector3 slip = u - u.dot(c.contact.normal) * c.contact.normal;
+    const Real speed = slip.norm();
+    if (speed <= rounding(i)) return;
+    BodyContact along = c;  // the same place, seen along the slip
+    along.contact.normal = slip / speed;
+    const Real inverseMass = through(c.bodyA, c.contact.armA, along, c.contact.armA, along) +
+                             through(c.bodyB, c.contact.armB, along, c.contact.armB, along);
+    if (!(inverseMass > 0)) return;
+    const Real size = std::min(speed / inverseMass, c.law.friction * normalImpulse);
+    push(i, -size * along.contact.normal);
+  }
+
+  // A contact that is alone, with friction.
+  Real hit(int i) {
+    const BodyContact& c = contact(i);
+    const Vector3 impulse =
+        passiveImpact(bodies_[at(c.bodyA)], bodies_[at(c.bodyB)], c.contact, c.law).impulse;
+    push(i, impulse);
+    return impulse.dot(c.contact.normal);
+  }
+
+  // Sorts contacts into groups that are joined by bodies which can move.
+  std::vector<Numbers> groupsOf(const Numbers& active) {
+    std::iota(group_.begin(), group_.end(), 0);
+    for (const int i : active) {
+      const int a = contact(i).bodyA, b = contact(i).bodyB;
+      if (movable(bodies_[at(a)]) && movable(bodies_[at(b)])) group_[at(rootOf(a))] = rootOf(b);
+    }
+    std::vector<Numbers> groups;
+    Numbers groupOfRoot(group_.size(), -1);
+    for (const int i : active) {
+      const int a = contact(i).bodyA;
+      const int root = rootOf(movable(bodies_[at(a)]) ? a : contact(i).bodyB);
+      if (groupOfRoot[at(root)] < 0) {
+        groupOfRoot[at(root)] = static_cast<int>(groups.size());
+        groups.emplace_back();
+      }
+      groups[at(groupOfRoot[at(root)])].push_back(i);
+    }
+    return groups;
+  }
+
+ private:
+  // n_p . K n_q, of the part of K that goes through one body.
+  Real through(int body, const Vector3& armP, const BodyContact& p, const Vector3& armQ,
+               const BodyContact& q) const {
+    const BodyMass& mass = bodies_[at(body)].mass;
+    return mass.inverseMass * p.contact.normal.dot(q.contact.normal) +
+           cross(armP, p.contact.normal).dot(mass.inverseInertia * cross(armQ, q.contact.normal));
+  }
+
+  int rootOf(int body) {
+    while (group_[at(body)] != body) {
+      group_[at(body)] = group_[at(group_[at(body)])];
+      body = group_[at(body)];
+    }
+    return body;
+  }
+
+  std::span<MovingBody> bodies_;
+  std::span<const BodyContact> contacts_;
+  Numbers group_;
+};
+
+// Speeds nearer to each other than this share count as equal: blows that mirror each other must
+// stay together although rounding has set them apart by some hundred ulp.
+constexpr Real kEqualSpeeds = 1e-9;
+
+// The contacts of a group that act together: from the fastest down, all that do not work against
+// one that was taken before. Where two contacts press a body against each other the faster one goes
+// first; equally fast ones, which no order can be right for, go together.
+Numbers firstOf(const Scene& scene, Numbers group) {
+  std::stable_sort(group.begin(), group.end(),
+                   [&](int i, int j) { return scene.parting(i) < scene.parting(j); });
+  Numbers taken;
+  for (std::size_t i = 0; i < group.size();) {
+    const Real speed = scene.parting(group[i]);
+    const std::size_t before = taken.size();
+    for (; i < group.size() && scene.parting(group[i]) <= speed * (1 - kEqualSpeeds); ++i) {
+      const int candidate = group[i];
+      const auto against = [&](int j) {
+        const Real own = std::sqrt(scene.coupling(candidate, candidate) * scene.coupling(j, j));
+        return scene.coupling(candidate, j) < -kEqualSpeeds * own;
+      };
+      const auto end = taken.begin() + static_cast<std::ptrdiff_t>(before);
+      if (std::none_of(taken.begin(), end, against)) taken.push_back(candidate);
+    }
+  }
+  std::sort(taken.begin(), taken.end());
+  return taken;
+}
+
+// The least impulses that stop all contacts of a group. If pivoting fails, which takes contacts
+// that rounding makes contradict each other, only the fastest is stopped: that is right for itself.
+std::vector<Real> stoppingImpulses(const Scene& scene, const Numbers& group) {
+  const int n = static_cast<int>(group.size());
+  DenseMatrix W(n, n);
+  std::vector<Real> u(group.size());
+  for (int i = 0; i < n; ++i) {
+    u[at(i)] = scene.parting(group[at(i)]);
+    for (int j = 0; j <= i; ++j) W(i, j) = W(j, i) = scene.coupling(group[at(i)], group[at(j)]);
+  }
+  const Complementarity solution = solveComplementarity(W, u);
+  if (solution.status == ComplementarityStatus::solved) return solution.z;
+  std::vector<Real> z(group.size(), 0);
+  const auto fastest = std::min_element(u.begin(), u.end());
+  const int i = static_cast<int>(fastest - u.begin());
+  if (W(i, i) > 0) z[at(i)] = -*fastest / W(i, i);
+  return z;
+}
+
+void check(std::span<const MovingBody> bodies, std::span<const BodyContact> contacts) {
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    requireUsable(bodies[i], ("bodies[" + std::to_string(i) + "]").c_str());
+  }
+  for (const BodyContact& c : contacts) {
+    for (const int body : {c.bodyA, c.bodyB}) {
+      if (body < 0 || at(body) >= bodies.size()) {
+        reject("contact body", std::to_string(body), "names no body");
+      }
+    }
+    if (c.bodyA == c.bodyB) reject("contact body", std::to_string(c.bodyA), "touches itself");
+    requireUsable(c.contact);
+    requireUsable(c.law);
+  }
+}
+
+// One round over the given contacts; e is that of the contacts, or 0.
+void reflect(Scene& scene, const Numbers& group, bool plastic, std::vector<Real>& sums) {
+  if (group.size() == 1 && !plastic) {
+    sums[at(group[0])] += scene.hit(group[0]);
+    return;
+  }
+  const std::vector<Real> z = stoppingImpulses(scene, group);
+  Real e = plastic ? 0 : 1;
+  for (std::size_t i = 0; i < group.size(); ++i) {
+    if (z[i] > 0) e = std::min(e, scene.contact(group[i]).law.restitution);
+  }
+  for (std::size_t i = 0; i < group.size(); ++i) {
+    const Real size = (1 + e) * z[i];
+    if (size == 0) continue;
+    scene.push(group[i], size * scene.contact(group[i]).contact.normal);
+    sums[at(group[i])] += size;
+  }
+  if (plastic) return;
+  for (std::size_t i = 0; i < group.size(); ++i) scene.rub(group[i], (1 + e) * z[i]);
+}
+
+}  // namespace
+
+SimultaneousImpacts simultaneousImpacts(std::span<MovingBody> bodies,
+                                        std::span<const BodyContact> contacts,
+                                        const ImpactRounds& limits) {
+  check(bodies, contacts);
+  Scene scene(bodies, contacts);
+  SimultaneousImpacts result;
+  result.normalImpulses.assign(contacts.size(), 0);
+
+  // Contacts of two immovable bodies cannot be helped.
+  Numbers live;
+  bool bounces = false;
+  for (int i = 0; i < scene.count(); ++i) {
+    const BodyContact& c = scene.contact(i);
+    if (!movable(bodies[at(c.bodyA)]) && !movable(bodies[at(c.bodyB)])) continue;
+    live.push_back(i);
+    bounces = bounces || c.law.restitution > 0;
+  }
+
+  Numbers active;
+  const auto findActive = [&] {
+    active.clear();
+    for (const int i : live) {
+      if (scene.parting(i) < -scene.rounding(i)) active.push_back(i);
+    }
+  };
+  for (findActive(); !active.empty() && result.rounds < limits.maxRounds; findActive()) {
+    ++result.rounds;
+    // Without any bounce nothing is gained by letting the blow travel: all contacts stop together.
+    for (const Numbers& group : scene.groupsOf(bounces ? active : live)) {
+      reflect(scene, bounces ? firstOf(scene, group) : group, false, result.normalImpulses);
+    }
+  }
+  if (!active.empty()) result.status = ImpactsStatus::roundLimit;
+  // One round is enough but for what rounding leaves of it, which the next one sees larger.
+  constexpr int kPlasticRounds = 4;
+  for (int i = 0; i < kPlasticRounds && !active.empty(); ++i, findActive()) {
+    for (const Numbers& group : scene.groupsOf(live)) {
+      reflect(scene, group, true, result.normalImpulses);
+    }
+  }
+  for (const int i : live) result.approach = std::max(result.approach, -scene.parting(i));
+  return result;
+}
+
+}  // namespace carom
