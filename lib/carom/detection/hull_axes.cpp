@@ -34,6 +34,14 @@ struct Candidate {
   Vector3 normal;  // from A to B, frame of A
 };
 
+// Before the one candidate comes the other: A before B, low numbers before high ones.
+bool precedes(const Candidate& x, const Candidate& y) {
+  if (x.kind != y.kind) return x.kind < y.kind;
+  if (x.kind == AxisKind::faceOfB) return x.featureB < y.featureB;
+  if (x.featureA != y.featureA) return x.featureA < y.featureA;
+  return x.featureB < y.featureB;
+}
+
 // The gaps that tie with the best one; few, because most are ruled out before they get here.
 class Candidates {
  public:
@@ -50,8 +58,14 @@ class Candidates {
       for (int i = 0; i < count_; ++i) {
         if (list_[i].gap >= best_ - tie_) list_[kept++] = list_[i];
       }
-      // Dozens of gaps in one tie, as between concentric bodies of many faces: the last one goes.
-      count_ = std::min(kept, kMost - 1);
+      count_ = kept;
+      if (count_ == kMost) {
+        // Dozens of gaps in one tie, as between concentric bodies of many faces, or needles thinner
+        // than a tie: the last by the rule goes, whatever the order of the search was.
+        Candidate* last = std::max_element(list_, list_ + count_, precedes);
+        if (precedes(candidate, *last)) *last = candidate;
+        return;
+      }
     }
     list_[count_++] = candidate;
   }
@@ -212,7 +226,9 @@ class Search {
         onA_(pair.a.faceCount),
         onB_(pair.b.faceCount) {}
 
-  HullAxis run(const HullHint* hint, Real enough) {
+  HullAxis run(const HullHint* hint, Real limit) {
+    // Within a tie of the limit another gap may be chosen in the end, one that is below it.
+    const Real enough = limit + tie_;
     if (hint == nullptr || !beginWith(*hint, enough)) beginAtCentroids(enough);
     if (best() > enough) return answer(false);
 
@@ -631,14 +647,6 @@ class Search {
       doubled += face.normal.dot(cross(p, q));
     }
     return doubled;
-  }
-
-  // Before the one candidate comes the other: A before B, low numbers before high ones.
-  static bool precedes(const Candidate& x, const Candidate& y) {
-    if (x.kind != y.kind) return x.kind < y.kind;
-    if (x.kind == AxisKind::faceOfB) return x.featureB < y.featureB;
-    if (x.featureA != y.featureA) return x.featureA < y.featureA;
-    return x.featureB < y.featureB;
   }
 
   Real areaOf(const Candidate& c) const {
