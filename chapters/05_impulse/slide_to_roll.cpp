@@ -1,0 +1,143 @@
+// When does a sliding ball begin to roll, and how fast is it then?
+//
+// A ball is thrown along a lane without spin, with back spin, or with side spin. Friction brakes the
+// slip of its lowest point; when nothing slips any more, it rolls. Steps of 1/60 s with the
+// library's friction, beside the exact answer for a solid ball, a hollow one and a hoop.
+
+#include <cmath>
+#include <filesystem>
+#include <iostream>
+#include <string>
+#include <vector>
+
+#include "carom/core/cross.hpp"
+#include "carom/core/elementary.hpp"
+#include "carom/impulse/friction_impulse.hpp"
+#include "carom/impulse/point_velocity.hpp"
+#include "carom/rotation/quaternion.hpp"
+#include "carom_io/plot.hpp"
+#include "carom_io/recorder.hpp"
+#include "carom_io/table.hpp"
+
+using carom::Real;
+using carom::Vector3;
+
+constexpr Real kFriction = 0.2, kGravity = 9.81;  // [1], [m/s^2]
+constexpr Real kRadius = 0.11;                    // [m]
+constexpr Real kStep = 1.0 / 60;                  // [s]
+const Vector3 kUp = Vector3::UnitZ();
+
+struct Throw {
+  std::string name;
+  Vector3 velocity;  // [m/s]
+  Vector3 rimSpeed;  // angular velocity times the radius [m/s]
+  Real k = 0.4;      // inertia over m R^2: 2/5 solid, 2/3 hollow, 1 hoop
+};
+
+struct Rolling {
+  Vector3 x{0, 0, kRadius};  // [m]
+  carom::Velocity motion;
+};
+
+//! [step]
+// Friction acts at the lowest point and changes both velocities, per kg.
+void step(Rolling& ball, Real k) {
+  const Vector3 arm = -kRadius * kUp;
+  const Vector3 slip = carom::pointVelocity(ball.motion, arm);
+  // At the lowest point an impulse also turns the ball: it feels lighter.
+  const Real tangentialMass = 1 / (1 + 1 / k);
+  const Vector3 impulse =
+      carom::frictionImpulse(slip, kUp, kGravity * kStep, kFriction, tangentialMass);
+  ball.motion.linear += impulse;
+  ball.motion.angular += carom::cross(arm, impulse) / (k * kRadius * kRadius);
+  ball.x += kStep * ball.motion.linear;
+}
+//! [step]
+
+struct Exact {
+  Real time;         // when it begins to roll [s]
+  Vector3 velocity;  // from then on [m/s]
+  Vector3 place;     // where that is [m]
+};
+
+//! [exact]
+// The slip keeps its direction and falls at (1 + 1/k) mu g, so the time is known,
+// and until then the ball flies a parabola, flat on the lane.
+Exact exact(const Throw& thrown) {
+  const Vector3 w = thrown.rimSpeed;
+  const Vector3 slip = thrown.velocity + carom::cross(w, -kUp);
+  const Vector3 direction = slip / slip.norm();
+  const Real time = slip.norm() / ((1 + 1 / thrown.k) * kFriction * kGravity);
+  const Vector3 brake = -kFriction * kGravity * direction;
+  return {time, thrown.velocity + time * brake, time * thrown.velocity + time * time / 2 * brake};
+}
+//! [exact]
+
+// Turns an orientation by an angular velocity over one step.
+carom::Quaternion turned(const carom::Quaternion& q, const Vector3& angularVelocity) {
+  const Real rate = angularVelocity.norm();
+  if (rate == 0) return q;
+  const auto [s, c] = carom::sineCosine(rate * kStep / 2);
+  const Vector3 v = s / rate * angularVelocity;
+  return {c * q.w - v.x() * q.x - v.y() * q.y - v.z() * q.z,
+          c * q.x + v.x() * q.w + v.y() * q.z - v.z() * q.y,
+          c * q.y - v.x() * q.z + v.y() * q.w + v.z() * q.x,
+          c * q.z + v.x() * q.y - v.y() * q.x + v.z() * q.w};
+}
+
+int main(int argc, char** argv) {
+  const std::filesystem::path folder = argc > 1 ? argv[1] : ".";
+  const std::vector<Throw> throws = {{"solid ball", {7, 0, 0}, {0, 0, 0}, 0.4},
+                                     {"hollow ball", {7, 0, 0}, {0, 0, 0}, 2.0 / 3},
+                                     {"hoop", {7, 0, 0}, {0, 0, 0}, 1},
+                                     {"back spin", {4, 0, 0}, {0, -20, 0}, 0.4},
+                                     {"side spin", {2, 0, 0}, {-30, 10, 0}, 0.4}};
+  carom::io::Recording recording(
+      "A ball that slides begins to roll",
+      "A striped ball is thrown along a lane: it slides, its spin grows, and it rolls on with five "
+      "sevenths of its speed. With back spin it comes back; with side spin it runs in a curve.");
+  recording.setParameter("thrown as");
+  recording.addFixed("lane", carom::io::Plane{40, 1});
+  recording.addBody("ball", carom::io::Ball{2 * kRadius}, {.trail = true});
+  recording.addChannel("speed", "m/s");
+  recording.addChannel("slip", "m/s");
+  recording.setView({.direction = Vector3(-0.1, 1, -0.7)});
+
+  carom::io::Table table;
+  table.column("").column("rolls after [s]", carom::io::fixed(4));
+  table.column("steps say", carom::io::fixed(4)).column("at speed [m/s]", carom::io::fixed(4));
+  table.column("steps say", carom::io::fixed(4)).column("x [m]", carom::io::fixed(3));
+  table.column("steps say", carom::io::fixed(3));
+  carom::io::Plot plot("Seen from above: a ball with side spin");
+  plot.xAxis("x [m]").yAxis("y [m]").equalAspect();
+  for (const Throw& thrown : throws) {
+    const Exact truth = exact(thrown);
+    Rolling ball;
+    ball.motion = {thrown.velocity, thrown.rimSpeed / kRadius};
+    carom::Quaternion q{1, 0, 0, 0};
+    recording.beginCase(thrown.name);
+    std::vector<Real> x, y;
+    Real rollsAt = -1, placeThen = 0;
+    for (int i = 0; i <= 300; ++i) {
+      const Real slip = carom::pointVelocity(ball.motion, -kRadius * kUp).norm();
+      if (rollsAt < 0 && slip < 1e-9) rollsAt = i * kStep, placeThen = ball.x.x();
+      recording.addFrame({i * kStep,
+                          {{ball.x + kRadius * kUp, {q.w, q.x, q.y, q.z}}},
+                          {ball.motion.linear.norm(), slip},
+                          {}});
+      x.push_back(ball.x.x());
+      y.push_back(ball.x.y());
+      step(ball, thrown.k);
+      q = turned(q, ball.motion.angular);
+    }
+    if (thrown.name == "side spin") {
+      plot.curve("path", x, y);
+      plot.points("begins to roll", {truth.place.x()}, {truth.place.y()});
+    }
+    table.row({thrown.name, truth.time, rollsAt, truth.velocity.norm(), ball.motion.linear.norm(),
+               truth.place.x(), placeThen});
+  }
+  std::cout << table;
+  plot.writeSvg(folder / "slide_to_roll.svg");
+  recording.writeHtml(folder / "slide_to_roll.html");
+}
