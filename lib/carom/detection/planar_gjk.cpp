@@ -34,13 +34,29 @@ std::vector<Vector2> placed(const Polygon& polygon, const PlanarPose& pose, cons
   return corners;
 }
 
-// The corner of `other` that is deepest behind edge i of `owner`, and the point of the edge above
+// The outward normal of the edge from corner i to the next.
+Vector2 outwardOf(const std::vector<Vector2>& corners, std::size_t i) {
+  const Vector2 side = corners[(i + 1) % corners.size()] - corners[i];
+  return Vector2(side.y(), -side.x()).normalized();
+}
+
+// The edge that looks most in a direction.
+std::size_t edgeFacing(const std::vector<Vector2>& corners, const Vector2& direction) {
+  std::size_t best = 0;
+  for (std::size_t i = 1; i < corners.size(); ++i) {
+    if (outwardOf(corners, i).dot(direction) > outwardOf(corners, best).dot(direction)) best = i;
+  }
+  return best;
+}
+
+// The corner of `other` that is deepest behind an edge of `owner`, and the point of the edge above
 // it. If the corner is beside the edge, a parallel edge of `other` is deepest as a whole, and the
 // point of it beneath the edge's end is taken.
-void edgeAndCorner(const std::vector<Vector2>& owner, int i, const std::vector<Vector2>& other,
-                   const Vector2& outward, Real separation, Vector2& onOwner, Vector2& onOther) {
-  const Vector2& from = owner[static_cast<std::size_t>(i)];
-  const Vector2& to = owner[(static_cast<std::size_t>(i) + 1) % owner.size()];
+void edgeAndCorner(const std::vector<Vector2>& owner, std::size_t i,
+                   const std::vector<Vector2>& other, const Vector2& outward, Real separation,
+                   Vector2& onOwner, Vector2& onOther) {
+  const Vector2& from = owner[i];
+  const Vector2& to = owner[(i + 1) % owner.size()];
   const Vector2 along = (to - from).normalized();
   Vector2 deepest = other[0];
   for (const Vector2& corner : other) {
@@ -85,12 +101,25 @@ PlanarSeparation planarGjk(const Polygon& a, const PlanarPose& A, const Polygon&
     result.separation = axis.verdict == Verdict::touching ? 0 : axis.separation;
     result.normal = axis.axis.head<2>();
     result.status = SeparationStatus::exact;
-    if (axis.kind == AxisKind::faceOfA) {
-      edgeAndCorner(cornersA, axis.featureA, cornersB, result.normal, result.separation,
-                    result.pointA, result.pointB);
+    // Opposite edges share their axis, and so do parallel ones of both polygons: if the edge that
+    // has given the axis looks the other way, another one lies where they overlap.
+    bool ofA = axis.kind == AxisKind::faceOfA;
+    auto edge = static_cast<std::size_t>(ofA ? axis.featureA : axis.featureB);
+    const Real facing = ofA ? outwardOf(cornersA, edge).dot(result.normal)
+                            : -outwardOf(cornersB, edge).dot(result.normal);
+    if (facing < 0) {
+      const std::size_t onA = edgeFacing(cornersA, result.normal);
+      const std::size_t onB = edgeFacing(cornersB, -result.normal);
+      ofA = outwardOf(cornersA, onA).dot(result.normal) >=
+            -outwardOf(cornersB, onB).dot(result.normal);
+      edge = ofA ? onA : onB;
+    }
+    if (ofA) {
+      edgeAndCorner(cornersA, edge, cornersB, result.normal, result.separation, result.pointA,
+                    result.pointB);
     } else {
-      edgeAndCorner(cornersB, axis.featureB, cornersA, -result.normal, result.separation,
-                    result.pointB, result.pointA);
+      edgeAndCorner(cornersB, edge, cornersA, -result.normal, result.separation, result.pointB,
+                    result.pointA);
     }
   }
   result.pointA += A.p_WB;

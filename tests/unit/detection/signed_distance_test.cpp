@@ -618,6 +618,24 @@ TEST_CASE("planar figures in closed form") {
   CHECK(signedDistance(disc, place(0, 0), two, place(0.5, 0)).normal == Vector2(-1, 0));
 }
 
+TEST_CASE("planar polygons with parallel sides show the depth at the sides that overlap") {
+  const Polygon square = makePolygon(std::vector<Vector2>{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}});
+  // Its right side shares an axis with both upright sides of the square.
+  const Polygon flag = makePolygon(std::vector<Vector2>{{-1, 0.25}, {1, -1}, {1, 1}});
+  for (const Polygon& a : {square, flag}) {
+    for (const Vector2& place : {Vector2(1.75, 0.25), Vector2(-1.75, 0.25), Vector2(0.25, 1.75),
+                                 Vector2(0.25, -1.75), Vector2(0.125, 0), Vector2(-0.125, 0)}) {
+      const PlanarPose B{1, 0, place};
+      const PlanarSeparation s =
+          signedDistance(PlanarShape(a), PlanarPose{}, PlanarShape(square), B);
+      CAPTURE(place.x(), place.y(), s.separation);
+      REQUIRE(s.separation < 0);
+      CHECK(std::abs(closestPoint(PlanarShape(a), PlanarPose{}, s.pointA).distance) <= 16 * kUlp);
+      CHECK(std::abs(closestPoint(PlanarShape(square), B, s.pointB).distance) <= 16 * kUlp);
+    }
+  }
+}
+
 TEST_CASE("planar polygons: points, normal and distance prove each other") {
   CaseNumbers random(37);
   int apart = 0, overlapping = 0;
