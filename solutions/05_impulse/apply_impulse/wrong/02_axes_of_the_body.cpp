@@ -1,0 +1,26 @@
+// Exercise 05.apply_impulse: what does an impulse do to the two bodies it acts between?
+// Check it with: ./course check 05.apply_impulse
+
+#include "carom/impulse/apply_impulse.hpp"
+
+#include "carom/core/checks.hpp"
+#include "carom/core/cross.hpp"
+
+namespace carom {
+
+void applyImpulse(OrientedBody& a, const Vector3& armA, OrientedBody& b, const Vector3& armB,
+                  const Vector3& impulse) {
+  // Given: what is no number is refused, before anything has changed.
+  requireFinite(armA, "armA");
+  requireFinite(armB, "armB");
+  requireFinite(impulse, "impulse");
+  a.velocity.linear -= a.inverseMass * impulse;
+  b.velocity.linear += b.inverseMass * impulse;
+
+  const Vector3 torqueA = cross(armA, impulse);
+  const Vector3 torqueB = cross(armB, impulse);
+  a.velocity.angular -= a.inverseInertia * torqueA;
+  b.velocity.angular += b.inverseInertia * torqueB;
+}
+
+}  // namespace carom

@@ -1,0 +1,26 @@
+// Exercise 05.apply_impulse: what does an impulse do to the two bodies it acts between?
+// Check it with: ./course check 05.apply_impulse
+
+#include "carom/impulse/apply_impulse.hpp"
+
+#include "carom/core/checks.hpp"
+#include "carom/core/cross.hpp"
+
+namespace carom {
+
+void applyImpulse(OrientedBody& a, const Vector3& armA, OrientedBody& b, const Vector3& armB,
+                  const Vector3& impulse) {
+  // Given: what is no number is refused, before anything has changed.
+  requireFinite(armA, "armA");
+  requireFinite(armB, "armB");
+  requireFinite(impulse, "impulse");
+  a.velocity.linear -= a.inverseMass * impulse;
+  b.velocity.linear += b.inverseMass * impulse;
+
+  const Vector3 turnedA = a.R_WB * (a.inverseInertia * (a.R_WB.transpose() * impulse));
+  const Vector3 turnedB = b.R_WB * (b.inverseInertia * (b.R_WB.transpose() * impulse));
+  a.velocity.angular -= cross(armA, turnedA);
+  b.velocity.angular += cross(armB, turnedB);
+}
+
+}  // namespace carom

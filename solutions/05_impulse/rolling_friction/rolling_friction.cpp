@@ -1,0 +1,36 @@
+// Exercise 05.rolling_friction: why does a ball that rolls on a level table stop at all?
+// Check it with: ./course check 05.rolling_friction
+
+#include "carom/impulse/rolling_friction.hpp"
+
+#include <algorithm>
+
+#include "carom/core/checks.hpp"
+#include "carom/core/length.hpp"
+#include "carom/core/todo.hpp"
+
+namespace carom {
+
+Vector3 rollingFriction(const RollingContact& contact) {
+  // Given: what cannot be is refused.
+  requireFinite(contact.angularVelocity, "angularVelocity");
+  requireFinite(contact.normal, "normal");
+  requirePositive(contact.inertia, "inertia");
+  requireNonNegative(contact.normalImpulse, "normalImpulse");
+  requireNonNegative(contact.arm, "arm");
+  //# solution
+  const Vector3& w = contact.angularVelocity;
+  const Vector3 rolling = w - w.dot(contact.normal) * contact.normal;
+  const Real rate = length(rolling);
+  if (rate == 0) return Vector3::Zero();
+
+  const Real toStop = contact.inertia * rate;
+  const Real atMost = contact.arm * contact.normalImpulse;
+  return -std::min(toStop, atMost) / rate * rolling;
+  //# stub
+  // length(v) is how long a vector is, and std::min(a, b) the smaller of two numbers.
+  //#| return todo<Vector3>("rollingFriction");
+  //# end
+}
+
+}  // namespace carom

@@ -1,0 +1,23 @@
+// Exercise 05.spinning_friction: why does a top stop that spins on one spot?
+// Check it with: ./course check 05.spinning_friction
+
+#include "carom/impulse/spinning_friction.hpp"
+
+#include <cmath>
+
+#include "carom/core/checks.hpp"
+
+namespace carom {
+
+Real spinningFriction(const SpinningContact& contact) {
+  // Given: what cannot be is refused.
+  requireFinite(contact.spin, "spin");
+  requirePositive(contact.inertia, "inertia");
+  requireNonNegative(contact.normalImpulse, "normalImpulse");
+  requireNonNegative(contact.friction, "friction");
+  requireNonNegative(contact.radius, "radius");
+  const Real atMost = 2.0 / 3 * contact.friction * contact.normalImpulse * contact.radius;
+  return -std::copysign(atMost, contact.spin);
+}
+
+}  // namespace carom
