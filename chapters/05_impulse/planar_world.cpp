@@ -16,7 +16,8 @@ namespace carom {
 namespace {
 
 constexpr int kMostMoments = 10000;  // of impact in one step; then the rest of it is lost
-constexpr int kRounds = 4;           // friction turns bodies, which presses contacts once more
+constexpr Real kSlow = 4;   // steps of gravity: slower than that nothing bounces, or it never rests
+constexpr int kRounds = 4;  // friction turns bodies, which presses contacts once more
 
 // One contact alone follows the formula of the chapter; several share their impulses out.
 std::vector<Real> normalImpulses(const std::vector<PlanarBody>& bodies,
@@ -53,9 +54,8 @@ bool resolve(PlanarWorld& world, std::vector<PlanarTouch>& touches, Real dt) {
   bodies.emplace_back();  // the walls
   const auto body = [&](int i) -> PlanarBody& { return bodies[static_cast<std::size_t>(i)]; };
   for (PlanarTouch& t : touches) {
-    // What gravity alone made in a step does not bounce: else nothing would ever rest.
     const Real parting = relativeVelocity(body(t.a), body(t.b), t.contact).dot(t.contact.normal);
-    if (-parting < 2 * dt * world.gravity.norm()) t.law.restitution = 0;
+    if (-parting < kSlow * dt * world.gravity.norm()) t.law.restitution = 0;
   }
   bool any = false;
   for (int round = 0; round < kRounds; ++round) {
