@@ -52,9 +52,9 @@ void corner() {
   const carom::Matrix2 K = carom::contactMatrix(kFloor.mass, square.mass, contact);
   const Vector2 before = velocityAt(square, contact);
   carom::io::Table table;
-  table.column("impulses").column("friction [N s]", carom::io::fixed(4));
-  table.column("normal [N s]", carom::io::fixed(4)).column("slip after [m/s]", carom::io::fixed(3));
-  table.column("parting at [m/s]", carom::io::fixed(3));
+  table.column("impulses").column("friction", carom::io::fixed(4));
+  table.column("normal [N s]", carom::io::fixed(4)).column("slip [m/s]", carom::io::fixed(3));
+  table.column("parting [m/s]", carom::io::fixed(3));
   const auto row = [&](const char* name, const Vector2& impulse) {
     const Vector2 after = before + K * impulse;
     table.row({name, impulse.x(), impulse.y(), after.x(), after.y()});
@@ -70,8 +70,8 @@ int main(int argc, char** argv) {
   const std::filesystem::path folder = argc > 1 ? argv[1] : ".";
   corner();
 
-  std::cout << "A rod of 1 kg and 2 m at 47 degrees falls on its end at 1 m/s, e = 0.9, friction "
-               "0.5:\nenergy after the impact, in parts of that before\n\n";
+  std::cout << "A rod of 1 kg and 2 m at 47 degrees falls on its end at 1 m/s,\ne = 0.9, friction "
+               "0.5: energy after the impact over that before\n\n";
   const auto [s, c] = carom::sineCosine(47 * std::numbers::pi / 180);
   const PlanarContact contact{kUp, Vector2::Zero(), {-c, -s}};
   const ImpactLaw law{.restitution = 0.9, .friction = 0.5};

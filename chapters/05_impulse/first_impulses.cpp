@@ -58,7 +58,7 @@ void headOn() {
   std::cout << "Two balls, 1 kg at 3 m/s and 2 kg at -1 m/s, meet head-on\n\n";
   carom::io::Table table;
   table.column("e", carom::io::fixed(1)).column("by");
-  for (const char* title : {"v of A [m/s]", "v of B [m/s]", "momentum [kg m/s]", "energy [J]"}) {
+  for (const char* title : {"A [m/s]", "B [m/s]", "momentum [N s]", "energy [J]"}) {
     table.column(title, carom::io::fixed(3));
   }
   const PlanarBody a = body(1, 1, 3), b = body(2, 1, -1);
@@ -86,13 +86,13 @@ Real sourceDenominator(const PlanarBody& b, const PlanarContact& contact) {
 //! [source31]
 
 void againstWall() {
-  std::cout << "\nA disc of 1 kg and 1 m flies into a wall at 1 m/s; a rod of 3 kg and 2 m, at "
-               "rest,\nis hit at 0.8 m from its middle with 5 m/s by 1 kg. No loss (e = 1)\n\n";
+  std::cout << "\nA disc of 1 kg and 1 m flies into a wall at 1 m/s. A rod of 3 kg and\n2 m, at "
+               "rest, is hit 0.8 m from its middle by 1 kg with 5 m/s. e = 1.\nL: angular momentum "
+               "about the middle of the rod [kg m^2/s]\n\n";
   carom::io::Table table;
   table.column("").column("by").column("j [N s]", carom::io::fixed(3));
-  table.column("v after [m/s]", carom::io::fixed(3)).column("spin [rad/s]", carom::io::fixed(3));
-  table.column("energy [J]", carom::io::fixed(3));
-  table.column("angular momentum [kg m^2/s]", carom::io::fixed(1));
+  table.column("v [m/s]", carom::io::fixed(3)).column("spin [1/s]", carom::io::fixed(3));
+  table.column("E [J]", carom::io::fixed(2)).column("L", carom::io::fixed(1));
 
   // The wall is A, so B flies against the normal.
   const PlanarBody wall;
@@ -118,7 +118,7 @@ void againstWall() {
     //! [source31use]
     // About the middle of the rod: the ball flies past it at 0.8 m.
     const Real angularMomentum = 0.8 * ball.velocity.linear.x() + rod.velocity.angular;
-    table.row({"rod, off-centre", source ? "the source (30, 31)" : "the library", j,
+    table.row({"rod, off-centre", source ? "the source (31)" : "the library", j,
                rod.velocity.linear.x(), rod.velocity.angular, energy(ball) + energy(rod),
                angularMomentum});
   }
@@ -126,7 +126,7 @@ void againstWall() {
 }
 
 void arms() {
-  std::cout << "\nA disc of 1 m rolls forwards at 1 m/s and spins backwards at 2 rad/s. How fast "
+  std::cout << "\nA disc of 1 m moves forwards at 1 m/s and spins backwards at 2 rad/s.\nHow fast "
                "is its lowest point?\n\n";
   carom::io::Table table;
   table.column("arm").column("velocity [m/s]", carom::io::fixed(1));

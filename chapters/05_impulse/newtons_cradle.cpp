@@ -108,9 +108,9 @@ using Way = std::pair<std::string, std::function<void(Balls&, const std::vector<
 
 carom::io::Table tableOf(std::size_t count) {
   carom::io::Table table;
-  table.column("").column("the contacts act");
+  table.column("").column("contacts act");
   for (std::size_t i = 1; i <= count; ++i) {
-    table.column("ball " + std::to_string(i), carom::io::fixed(3));
+    table.column(std::to_string(i), carom::io::fixed(2));
   }
   return table;
 }
@@ -147,8 +147,8 @@ void record(carom::io::Recording& recording, const std::string& name, std::vecto
 
 int main(int argc, char** argv) {
   const std::filesystem::path folder = argc > 1 ? argv[1] : ".";
-  const std::vector<Way> ways = {{"one by one, from the left", once},
-                                 {"one by one, from the right", rightToLeft},
+  const std::vector<Way> ways = {{"from the left", once},
+                                 {"from the right", rightToLeft},
                                  {"all at once", together},
                                  {"in rounds", inRounds}};
   std::cout << "Five equal balls, e = 1: speeds afterwards [m/s]\n\n";
@@ -156,7 +156,7 @@ int main(int argc, char** argv) {
   const std::vector<std::vector<Real>> starts = {
       {1, 0, 0, 0, 0}, {1, 1, 0, 0, 0}, {1, 1, 1, 0, 0}, {1, 0, 0, 0, -1}, {2, 1, 0, 0, -1}};
   const std::vector<std::string> names = {"1 ball comes in", "2 balls", "3 balls",
-                                          "1 from each side", "2 and 1 m/s against -1"};
+                                          "1 from each side", "2 and 1 against -1"};
   for (std::size_t i = 0; i < starts.size(); ++i) {
     for (const auto& [name, act] : ways) {
       Balls balls = ballsOf({1, 1, 1, 1, 1}, starts[i]);

@@ -100,7 +100,7 @@ int main(int argc, char** argv) {
   carom::io::Table table;
   table.column("reckoned as").column("mass [kg]", carom::io::fixed(3));
   table.column("speed [m/s]", carom::io::fixed(4)).column("spin [rad/s]", carom::io::fixed(4));
-  table.column("angular momentum [N m s]", carom::io::fixed(4));
+  table.column("L [N m s]", carom::io::fixed(4));
   for (const auto& [name, after, center] : ways) {
     // About the true centre of mass, of what moves: it must be that of the blow.
     const Real mass = name == "the upper half alone" ? upper.mass : whole.mass;
@@ -121,7 +121,7 @@ int main(int argc, char** argv) {
     }
   }
   std::cout
-      << "A blow of 1 N s to the right; about the centre of mass its angular momentum is "
+      << "A blow of 1 N s to the right. About the centre of mass its\nangular momentum L is "
       << carom::io::Cell(carom::planarCross(kTop - whole.center, kBlow)).text(carom::io::fixed(4))
       << " N m s\n\n"
       << table;

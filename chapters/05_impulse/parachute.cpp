@@ -33,7 +33,7 @@ Real dragOfSource(Real v, const carom::AirDrag& air) {
 //! [source]
 
 void thrownUp() {
-  std::cout << "A ball of 0.1 kg and 0.01 m^2 is thrown up at 20 m/s: what becomes of it\n\n";
+  std::cout << "A ball of 0.1 kg and 0.01 m^2 is thrown up at 20 m/s\n\n";
   carom::io::Table table;
   table.column("drag").column("after 1 s [m/s]", carom::io::fixed(2));
   table.column("highest [m]", carom::io::fixed(2)).column("lands with [m/s]", carom::io::fixed(2));

@@ -61,9 +61,9 @@ Vector3 frictionUnclamped(const Vector3& v) {
 //! [unclamped]
 
 //! [coulomb]
-// The library's: no more than it takes to stop, no more than the cone allows.
+// The library's: what it takes to stop, but no more than the cone allows.
 Vector3 frictionOfCoulomb(const Vector3& v) {
-  const Real pressed = kGravity * kStep;  // the normal impulse of a step [N s]
+  const Real pressed = kGravity * kStep;  // normal impulse [N s]
   return carom::frictionImpulse(v, kUp, pressed, kFriction, 1);
 }
 //! [coulomb]
@@ -76,14 +76,14 @@ int main(int argc, char** argv) {
   };
   const std::vector<Rule> rules = {{"(35), (36), (40) as printed", frictionOfSource},
                                    {"(40), direction of length one", frictionOfSourceUnit},
-                                   {"Coulomb's force, no clamp", frictionUnclamped},
+                                   {"Coulomb's force, unclamped", frictionUnclamped},
                                    {"Coulomb's impulse", frictionOfCoulomb}};
   carom::io::Table table;
-  table.column("friction").column("after one step [m/s]", carom::io::significant(4));
+  table.column("friction").column("first step [m/s]", carom::io::significant(4));
   table.column("stops at [m]", carom::io::fixed(4))
-      .column("speed at 2 s [m/s]", carom::io::significant(2));
+      .column("at 2 s [m/s]", carom::io::significant(2));
   carom::io::Plot plot("A block that slides to rest");
-  plot.xAxis("time [s]").yAxis("speed [m/s]").yRange(-1.5, 4.2);
+  plot.xAxis("time [s]").yAxis("speed [m/s]").xRange(1.2, 1.6).yRange(-0.1, 0.4);
   for (const auto& [name, impulse] : rules) {
     Block block;
     Real first = 0;
@@ -99,15 +99,17 @@ int main(int argc, char** argv) {
     const bool rests = block.v.x() == 0;
     table.row({name, first, gone ? carom::io::Cell("never") : carom::io::Cell(block.x),
                gone ? carom::io::Cell("-") : carom::io::Cell(rests ? 0.0 : block.v.x())});
-    plot.curve(name, times, speeds, {.marks = true});
+    if (name.starts_with("Coulomb")) plot.curve(name, times, speeds, {.marks = true});
   }
   //! [exact]
   const Real time = kSpeed / (kFriction * kGravity);
   const Real distance = kSpeed * kSpeed / (2 * kFriction * kGravity);
   //! [exact]
+  plot.curve("exact", {0, time, 2}, {kSpeed, 0, 0}, {.dashed = true, .width = 1});
   table.row({"exact", kSpeed - kFriction * kGravity * kStep, distance, 0.0});
-  std::cout << "A block at 4 m/s, friction 0.3: steps of 1/60 s for 2 s; exact: it stops after "
-            << carom::io::Cell(time).text(carom::io::fixed(4)) << " s\n\n"
-            << table;
+  std::cout
+      << "A block at 4 m/s, friction 0.3, in steps of 1/60 s for 2 s.\nThe exact block stops after "
+      << carom::io::Cell(time).text(carom::io::fixed(4)) << " s\n\n"
+      << table;
   plot.writeSvg(folder / "slide_and_stop.svg");
 }

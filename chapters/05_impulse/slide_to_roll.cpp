@@ -104,10 +104,10 @@ int main(int argc, char** argv) {
   recording.setView({.direction = Vector3(-0.1, 1, -0.7)});
 
   carom::io::Table table;
-  table.column("").column("rolls after [s]", carom::io::fixed(4));
-  table.column("steps say", carom::io::fixed(4)).column("at speed [m/s]", carom::io::fixed(4));
-  table.column("steps say", carom::io::fixed(4)).column("x [m]", carom::io::fixed(3));
-  table.column("steps say", carom::io::fixed(3));
+  table.column("").column("rolls [s]", carom::io::fixed(4));
+  table.column("in steps", carom::io::fixed(4)).column("v [m/s]", carom::io::fixed(4));
+  table.column("in steps", carom::io::fixed(4)).column("x [m]", carom::io::fixed(3));
+  table.column("in steps", carom::io::fixed(3));
   carom::io::Plot plot("Seen from above: a ball with side spin");
   plot.xAxis("x [m]").yAxis("y [m]").equalAspect();
   for (const Throw& thrown : throws) {
