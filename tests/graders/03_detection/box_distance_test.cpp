@@ -51,11 +51,13 @@ Vector3 anyGaps(Random& random) {
 const Aabb<3> cube{{-1, -1, -1}, {1, 1, 1}};
 
 void ask(const Vector3& low, const Vector3& high, Real distance, const char* what) {
-  const Aabb<3> b{low, high};
-  GRADE(boxDistance(cube, b), distance, within(0, kExact), given("a", cube, "m"),
-        given("b", b, "m"), unit("m"), about(what));
-  GRADE(boxDistance(b, cube), distance, within(0, kExact), given("a", b, "m"),
-        given("b", cube, "m"), unit("m"), about(what));
+  const Aabb<3> other{low, high};
+  for (const bool swapped : {false, true}) {
+    const Aabb<3>& a = swapped ? other : cube;
+    const Aabb<3>& b = swapped ? cube : other;
+    GRADE(boxDistance(a, b), distance, within(0, kExact), given("a", a, "m"), given("b", b, "m"),
+          unit("m"), about(what));
+  }
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include "grading/fields_detection.hpp"
 #include "grading/grade.hpp"
@@ -48,12 +49,25 @@ Parts reversed(Parts parts) {
   return parts;
 }
 
-void askBothWays(const Parts& a, const Parts& b, const char* verdict, const char* what) {
+// Pacman in words: his corners are cosines with sixteen digits.
+auto shown(const char* name, const Parts& parts) {
+  if (parts == pacman || parts == reversed(pacman)) {
+    const std::string first = parts == pacman ? "upper" : "lower";
+    return given(name,
+                 "Pacman: a disc of radius 1 m about (0, 0), jaws open by 45 degrees up and "
+                 "down from the x axis, in two halves, the " +
+                     first + " one first");
+  }
+  return given(name, parts, "m");
+}
+
+void askBothWays(const Parts& one, const Parts& other, const char* verdict, const char* what) {
   for (const bool swapped : {false, true}) {
     for (const bool turned : {false, true}) {
-      const Parts first = turned ? reversed(a) : a;
-      GRADE(inWords(swapped ? convexParts(b, first) : convexParts(first, b)), verdict,
-            within(0, kYesNo), given("one figure", first, "m"), given("the other", b, "m"),
+      const Parts first = turned ? reversed(one) : one;
+      const Parts& a = swapped ? other : first;
+      const Parts& b = swapped ? first : other;
+      GRADE(inWords(convexParts(a, b)), verdict, within(0, kYesNo), shown("a", a), shown("b", b),
             about(what));
     }
   }
@@ -126,7 +140,7 @@ TEST_CASE("grid") {
   for (int n = 0; n < 60; ++n) {
     const std::vector<Cells> a = anyFigure(random), b = anyFigure(random);
     GRADE(inWords(convexParts(partsOf(a), partsOf(b))), byCounting(a, b), within(0, kYesNo),
-          given("parts of A", partsOf(a), "m"), given("parts of B", partsOf(b), "m"));
+          given("partsOf(a)", partsOf(a), "m"), given("partsOf(b)", partsOf(b), "m"));
   }
 }
 
@@ -137,7 +151,8 @@ TEST_CASE("refuses") {
 PROBES() {
   Random random(309);
   for (int n = 0; n < 28; ++n) {
-    PROBE(convexParts(partsOf(anyFigure(random)), partsOf(anyFigure(random))));
+    const Parts b = partsOf(anyFigure(random)), a = partsOf(anyFigure(random));
+    PROBE(convexParts(a, b));
   }
   PROBE(convexParts(pacman, squareAt(0.7, 0)));
   PROBE(convexParts(pacman, squareAt(0.2, -0.6)));

@@ -51,34 +51,34 @@ Real slopeOfAsked(const std::vector<PairCount>& table) {
 }  // namespace
 
 TEST_CASE("asked") {
-  const Scene apart = rowOfBoxes(60, 2, 1);
+  const Scene boxes = rowOfBoxes(60, 2, 1);
   const Counts counts = {2, 3, 10, 60};
   const int pairs[] = {1, 3, 45, 1770};
   for (std::size_t k = 0; k < counts.size(); ++k) {
-    GRADE(row(pairCounts(apart, counts), k).asked, pairs[k], within(0, kCount),
-          given("scene", "60 boxes in a row, none of which meet"), given("boxes taken", counts[k]),
-          about("each pair once, and no box with itself"));
+    GRADE(row(pairCounts(boxes, counts), k).asked, pairs[k], within(0, kCount),
+          given("boxes", "60 in a row, none of which meet"), given("counts", counts), given("k", k),
+          about("row k, of the first counts[k] boxes: each pair once, and no box with itself"));
   }
   const Counts one = {1};
-  GRADE(row(pairCounts(apart, one), 0).asked, 0, within(0, kCount), given("boxes taken", 1),
+  GRADE(row(pairCounts(boxes, one), 0).asked, 0, within(0, kCount), given("one", one),
         about("a single box makes no pair"));
 }
 
 TEST_CASE("kept") {
   // Every box meets the next one in a side, and the next but one not at all.
-  const Scene touching = rowOfBoxes(40, 1, 1);
+  const Scene boxes = rowOfBoxes(40, 1, 1);
   const Counts counts = {5, 40};
   for (std::size_t k = 0; k < counts.size(); ++k) {
-    GRADE(row(pairCounts(touching, counts), k).kept, counts[k] - 1, within(0, kCount),
-          given("scene", "40 boxes in a row, each touching the next"),
-          given("boxes taken", counts[k]), about("boxes that touch are kept"));
+    GRADE(row(pairCounts(boxes, counts), k).kept, counts[k] - 1, within(0, kCount),
+          given("boxes", "40 in a row, each touching the next"), given("counts", counts),
+          given("k", k), about("row k, of the first counts[k] boxes: pairs that touch are kept"));
   }
   // Every box reaches over the next two: n - 1 pairs of neighbours and n - 2 of next but one.
   const Scene overlapping = rowOfBoxes(40, 1, 2.5);
   for (std::size_t k = 0; k < counts.size(); ++k) {
     GRADE(row(pairCounts(overlapping, counts), k).kept, 2 * counts[k] - 3, within(0, kCount),
-          given("scene", "40 boxes in a row, each reaching over the next two"),
-          given("boxes taken", counts[k]));
+          given("overlapping", "40 boxes in a row, each reaching over the next two"),
+          given("counts", counts), given("k", k));
   }
 }
 
