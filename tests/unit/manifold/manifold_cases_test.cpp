@@ -1,7 +1,9 @@
 // Group C of the case book, each to the error that an excellent program reaches.
 
 #include <cmath>
+#include <fstream>
 #include <set>
+#include <string>
 #include <vector>
 
 #include "carom/core/cross.hpp"
@@ -253,6 +255,31 @@ TEST_CASE("C9: clips that leave a square, a line, a point, or nothing") {
   CHECK(common(rectangle(3, 4, 3, 4), window).empty());
   CHECK(clipPolygon({}, {1, 0, 0}, 0).empty());
   CHECK_THROWS_AS(polygonCentroid({}), InvalidInput);
+}
+
+TEST_CASE("D18: no point of two boxes face on face is deeper than the boxes are") {
+  // Another engine found a point one box width deep here, and threw the boxes apart.
+  std::ifstream file(std::string(CAROM_CASES_DIR) + "/detection.json");
+  const json expected = json::parse(file).at("D18").at("c");
+  const Real depth = readNumber(expected["depth"]);
+  const Real shift = std::ldexp(1.0, expected["shift pow2"].get<int>());
+  const Real angle = std::ldexp(1.0, expected["angle pow2"].get<int>());
+  const Box box{{0.5, 0.5, 0.5}};
+  const ConvexHull hull = boxHull(box.halfExtents);
+  const Pose A;
+  const Pose B = poseOf({std::cos(angle / 2), 0, std::sin(angle / 2), 0}, {shift, 1 - depth, 0});
+  for (const Manifold& manifold :
+       {collideBoxes(box, A, box, B), collideHulls(hull, A, hull, B),
+        collideBoxAndHull(box, A, hull, B), plainManifold(hull, A, hull, B, 0)}) {
+    CHECK((manifold.normal - Vector3(0, 1, 0)).norm() <= 1e-15);
+    CHECK(manifold.count == 4);
+    for (std::size_t k = 0; k < static_cast<std::size_t>(manifold.count); ++k) {
+      CHECK(std::abs(manifold.points[k].separation + depth) <= 1e-15);
+    }
+    // What two unit squares have in common that are a thousandth of an edge off each other.
+    CHECK(manifold.area < 1 - shift / 2);
+    CHECK(manifold.area > 1 - 2 * shift);
+  }
 }
 
 TEST_CASE("C10: two 60-gons turned and shifted") {
