@@ -79,6 +79,9 @@ std::vector<PairMethod> bulletBoxes(std::span<const BodyPair> pairs) {
   for (const BodyPair& pair : pairs) {
     data->a.emplace_back(toBullet(pair.halfA));
     data->b.emplace_back(toBullet(pair.halfB));
+    // To GJK its boxes have corners rounded by 4 cm unless told otherwise.
+    data->a.back().setMargin(0);
+    data->b.back().setMargin(0);
   }
   return {{"Bullet btBoxBoxDetector",
            [data](std::size_t i) {
