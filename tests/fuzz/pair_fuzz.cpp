@@ -4,10 +4,12 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <optional>
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "carom/core/errors.hpp"
@@ -133,6 +135,43 @@ bool roundOf(const Shape& s) {
   return std::holds_alternative<Cylinder>(s);
 }
 
+// Half of the smallest width of a body, or the half of that where it is cheaper to know: what is round all
+// over has none that matters.
+Real thicknessOf(const ConvexShape& s) {
+  if (const auto* box = std::get_if<Box>(&s)) return box->halfExtents.minCoeff();
+  if (const auto* cylinder = std::get_if<Cylinder>(&s)) {
+    return std::min(cylinder->radius, cylinder->halfHeight);
+  }
+  if (const auto* hull = std::get_if<ConvexHull>(&s)) {
+    Real least = hull->boundingRadius;
+    for (const HullFace& face : hull->faces) {
+      least = std::min(least, face.offset - face.normal.dot(hull->centroid));
+    }
+    return least;
+  }
+  return std::numeric_limits<Real>::infinity();
+}
+
+Real thicknessOf(const Shape& s) {
+  if (std::holds_alternative<HalfSpace>(s)) return std::numeric_limits<Real>::infinity();
+  Real least = std::numeric_limits<Real>::infinity();
+  if (const auto* compound = std::get_if<Compound>(&s)) {
+    for (const CompoundPart& part : compound->parts) {
+      least = std::min(least, thicknessOf(part.shape));
+    }
+    return least;
+  }
+  return std::visit(
+      [](const auto& shape) -> Real {
+        if constexpr (std::is_constructible_v<ConvexShape, decltype(shape)>) {
+          return thicknessOf(ConvexShape(shape));
+        } else {
+          return std::numeric_limits<Real>::infinity();
+        }
+      },
+      s);
+}
+
 // What a failure is told with.
 std::string text(const Vector3& v) {
   std::ostringstream out;
@@ -245,6 +284,9 @@ Tried tryBodies(const Shape& a, const Pose& A, const Shape& b, const Pose& B, co
   const bool tame = sizeOf(a, A) <= kTame && sizeOf(b, B) <= kTame;
   const bool planes = std::holds_alternative<HalfSpace>(a) && std::holds_alternative<HalfSpace>(b);
 
+  const Real size = sizeOf(a, A) + sizeOf(b, B);
+  const bool solid = std::min(thicknessOf(a), thicknessOf(b)) >= 1e-6 * size;
+
   const Separation d = signedDistance(a, A, b, B);
   const Separation back = signedDistance(b, B, a, A);
   if (tame && !planes) {
@@ -254,14 +296,14 @@ Tried tryBodies(const Shape& a, const Pose& A, const Shape& b, const Pose& B, co
     // An iteration that ran out of steps says so, and how far off it may be.
     const bool ended =
         d.status != SeparationStatus::stalled && back.status != SeparationStatus::stalled;
-    const Real band = 1e-9 * (1 + sizeOf(a, A) + sizeOf(b, B)) + d.errorBound + back.errorBound;
+    const Real band = 1e-9 * (1 + size) + d.errorBound + back.errorBound;
     if (!(std::abs(d.separation - back.separation) <= band)) {
       broken("swapping keeps the distance: " + text({d.separation, back.separation, band}));
     }
     const Vector3 between = d.pointB - d.pointA;
     // A cylinder's rim is found by ever smaller triangles: beside a body a million times smaller they give out early.
-    const Real rim = roundOf(a) || roundOf(b) ? 1e-5 * (sizeOf(a, A) + sizeOf(b, B)) : 0;
-    if (ended && !((between - d.separation * d.normal).norm() <= band + rim)) {
+    const Real rim = roundOf(a) || roundOf(b) ? 1e-5 * size : 0;
+    if (solid && ended && !((between - d.separation * d.normal).norm() <= band + rim)) {
       broken("the points show the distance: " + text(between) + " is not " +
              text({d.separation, 0, 0}) + " times " + text(d.normal));
     }
@@ -275,9 +317,12 @@ Tried tryBodies(const Shape& a, const Pose& A, const Shape& b, const Pose& B, co
     // The first fills the caches, the second uses them.
     for (int i = 0; i < 2; ++i) collide(a, A, b, B, warm, caches);
     if (tame) {
+      for (const PartManifold& part : cold) requireSound(part.manifold);
+      for (const PartManifold& part : warm) requireSound(part.manifold);
+    }
+    if (tame && solid) {
       require(cold.size() == warm.size(), "a cache changes no verdict");
       for (std::size_t i = 0; i < cold.size(); ++i) {
-        requireSound(cold[i].manifold);
         require(sameBits(cold[i].manifold, warm[i].manifold), "a cache changes no bit");
       }
     }

@@ -97,9 +97,16 @@ Separation ofThinCores(const CoreShape& a, const Pose& A, const CoreShape& b, co
              8 * std::numeric_limits<Real>::epsilon() * gap.squaredNorm();
     };
     const Real alongA = gap.dot(axisA);
-    if (matters(alongA, a.extents.z()) && endA * alongA <= 0) gap -= alongA * axisA;
+    // The point goes along: an end and the foot beside it can be equally near, to rounding.
+    if (matters(alongA, a.extents.z()) && endA * alongA <= 0) {
+      gap -= alongA * axisA;
+      result.pointA += alongA * axisA;
+    }
     const Real alongB = gap.dot(axisB);
-    if (matters(alongB, b.extents.z()) && endB * -alongB <= 0) gap -= alongB * axisB;
+    if (matters(alongB, b.extents.z()) && endB * -alongB <= 0) {
+      gap -= alongB * axisB;
+      result.pointB -= alongB * axisB;
+    }
   }
   result.separation = length(gap);
   // A gap of the size of the rounding error of its ends has no direction.
