@@ -1,0 +1,30 @@
+// Exercise 05.angular_acceleration: how fast does the rotation of a body change?
+// Check it with: ./course check 05.angular_acceleration
+
+#include "carom/impulse/angular_acceleration.hpp"
+
+#include "carom/core/checks.hpp"
+#include "carom/core/cross.hpp"
+#include "carom/core/todo.hpp"
+#include "carom/impulse/body_motion.hpp"
+#include "carom/impulse/positive_solve.hpp"
+
+namespace carom {
+
+Vector3 angularAcceleration(const Matrix3& inertia, const Vector3& angularVelocity,
+                            const Vector3& torque) {
+  // Given: what cannot be is refused.
+  requireInertia(inertia);
+  requireFinite(angularVelocity, "angularVelocity");
+  requireFinite(torque, "torque");
+  //# solution
+  const Vector3 angularMomentum = inertia * angularVelocity;
+  const Vector3 rest = torque - cross(angularVelocity, angularMomentum);
+  return PositiveSolve(inertia).solve(rest);
+  //# stub
+  // PositiveSolve(inertia).solve(b) is the vector x for which inertia * x is b.
+  //#| return todo<Vector3>("angularAcceleration");
+  //# end
+}
+
+}  // namespace carom

@@ -1,0 +1,23 @@
+// Exercise 05.angular_acceleration: how fast does the rotation of a body change?
+// Check it with: ./course check 05.angular_acceleration
+
+#include "carom/impulse/angular_acceleration.hpp"
+
+#include "carom/core/checks.hpp"
+#include "carom/core/cross.hpp"
+#include "carom/impulse/body_motion.hpp"
+
+namespace carom {
+
+Vector3 angularAcceleration(const Matrix3& inertia, const Vector3& angularVelocity,
+                            const Vector3& torque) {
+  // Given: what cannot be is refused.
+  requireInertia(inertia);
+  requireFinite(angularVelocity, "angularVelocity");
+  requireFinite(torque, "torque");
+  const Vector3 angularMomentum = inertia * angularVelocity;
+  const Vector3 rest = torque - cross(angularVelocity, angularMomentum);
+  return inertia * rest;
+}
+
+}  // namespace carom
