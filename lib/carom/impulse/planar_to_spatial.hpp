@@ -1,8 +1,8 @@
 #pragma once
 // A planar body is a spatial one that can neither leave the plane nor turn out of it.
 //
-// Its inverse inertia has one entry, about z; the others are zero, so no impulse turns it about x or
-// y. Whatever works in space then works in the plane. This header is for the library and for
+// Its inverse inertia has one entry, about z; the others are zero, so no impulse turns it about x
+// or y. Whatever works in space then works in the plane. This header is for the library and for
 // programs that step a planar world.
 
 #include "carom/core/real.hpp"

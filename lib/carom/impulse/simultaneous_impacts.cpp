@@ -187,9 +187,9 @@ bool redundant(DenseMatrix W) {
   return false;
 }
 
-// Of all impulses that stop a redundant group the evenest: the four legs of a table carry alike. Each
-// contact gives way a little, which has one solution; then what that falls short of is added. Three
-// times, each making the error a million times smaller, is enough.
+// Of all impulses that stop a redundant group the evenest: the four legs of a table carry alike.
+// Each contact gives way a little, which has one solution; then what that falls short of is added.
+// Three times, each making the error a million times smaller, is enough.
 std::vector<Real> evenImpulses(const DenseMatrix& W, const std::vector<Real>& u) {
   constexpr Real kGivesWay = 1e-6;
   DenseMatrix softened = W;
