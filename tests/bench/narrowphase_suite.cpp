@@ -468,11 +468,10 @@ void drawGrid(const std::vector<VerdictRow>& rows, bool plane, const std::string
       // Not all on one line, where they would hide each other.
       y.push_back(row.wrong > 0 ? perMillion : kLeast * std::pow(0.7, m));
     }
-    plot.curve(whole.method + (m == 0 ? " (whole numbers, then tenths)" : ""), x, y,
-               styleOf(m, whole.method));
+    plot.curve(whole.method, x, y, styleOf(m, whole.method));
     ++m;
   }
-  plot.label({11, 0.3 * kLeast}, "below 1: none");
+  plot.label({2e3, 0.3 * kLeast}, "below 1: none");
   carom::bench::sign(plot, 11, 0.05, 0.35);
   finish(plot, file);
 }
@@ -557,8 +556,8 @@ int main(int argc, char** argv) {
                        marks, 100, 1e8, 1e-14, &Outcome::largest,
                        options.plots / "hull_distance.svg");
   if (verdicts.empty()) return 0;
-  drawGrid(verdicts, true, "Two triangles on a grid: do they meet?",
+  drawGrid(verdicts, true, "Do two triangles meet? First mark: whole numbers; second: tenths",
            options.plots / "verdicts_plane.svg");
-  drawGrid(verdicts, false, "Two tetrahedra on a grid: do they meet?",
+  drawGrid(verdicts, false, "Do two tetrahedra meet? First mark: whole numbers; second: tenths",
            options.plots / "verdicts_space.svg");
 }
