@@ -47,7 +47,8 @@ Part together(const Part& p, const Part& q) {
   whole.mass = p.mass + q.mass;
   whole.center = (p.mass * p.center + q.mass * q.center) / whole.mass;
   for (const Part& part : {p, q}) {
-    whole.inertia += part.inertia + part.mass * (part.center - whole.center).squaredNorm();
+    const Vector2 arm = part.center - whole.center;
+    whole.inertia += part.inertia + part.mass * arm.squaredNorm();
   }
   return whole;
 }
@@ -83,8 +84,8 @@ int main(int argc, char** argv) {
   //! [ways]
   const std::vector<Way> ways = {
       {"one body", hit(whole, kTop - whole.center), whole.center},
-      {"arm from the half's centre", hit(whole, kTop - upper.center), whole.center},
-      {"moments added without Steiner", hit(noSteiner, kTop - whole.center), whole.center},
+      {"arm from the half's middle", hit(whole, kTop - upper.center), whole.center},
+      {"moments without Steiner", hit(noSteiner, kTop - whole.center), whole.center},
       {"the upper half alone", hit(upper, kTop - upper.center), upper.center}};
   //! [ways]
 

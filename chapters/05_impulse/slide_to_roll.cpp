@@ -23,7 +23,7 @@ using carom::Real;
 using carom::Vector3;
 
 constexpr Real kFriction = 0.2, kGravity = 9.81;  // [1], [m/s^2]
-constexpr Real kRadius = 0.11;                    // [m]
+constexpr Real kRadius = 0.5;                     // [m]
 constexpr Real kStep = 1.0 / 60;                  // [s]
 const Vector3 kUp = Vector3::UnitZ();
 
@@ -45,11 +45,12 @@ void step(Rolling& ball, Real k) {
   const Vector3 arm = -kRadius * kUp;
   const Vector3 slip = carom::pointVelocity(ball.motion, arm);
   // At the lowest point an impulse also turns the ball: it feels lighter.
-  const Real tangentialMass = 1 / (1 + 1 / k);
-  const Vector3 impulse =
-      carom::frictionImpulse(slip, kUp, kGravity * kStep, kFriction, tangentialMass);
-  ball.motion.linear += impulse;
-  ball.motion.angular += carom::cross(arm, impulse) / (k * kRadius * kRadius);
+  const Real mass = 1 / (1 + 1 / k);
+  const Real pressed = kGravity * kStep;  // normal impulse
+  const Vector3 J = carom::frictionImpulse(slip, kUp, pressed, kFriction, mass);
+  const Real inertia = k * kRadius * kRadius;
+  ball.motion.linear += J;
+  ball.motion.angular += carom::cross(arm, J) / inertia;
   ball.x += kStep * ball.motion.linear;
 }
 //! [step]
@@ -61,15 +62,16 @@ struct Exact {
 };
 
 //! [exact]
-// The slip keeps its direction and falls at (1 + 1/k) mu g, so the time is known,
-// and until then the ball flies a parabola, flat on the lane.
+// The slip keeps its direction and falls at (1 + 1/k) mu g, so the time
+// is known. Until then the ball flies a parabola, flat on the lane.
 Exact exact(const Throw& thrown) {
-  const Vector3 w = thrown.rimSpeed;
-  const Vector3 slip = thrown.velocity + carom::cross(w, -kUp);
-  const Vector3 direction = slip / slip.norm();
-  const Real time = slip.norm() / ((1 + 1 / thrown.k) * kFriction * kGravity);
-  const Vector3 brake = -kFriction * kGravity * direction;
-  return {time, thrown.velocity + time * brake, time * thrown.velocity + time * time / 2 * brake};
+  const Vector3 rim = carom::cross(thrown.rimSpeed, -kUp);
+  const Vector3 slip = thrown.velocity + rim;
+  const Real g = kFriction * kGravity;
+  const Real time = slip.norm() / ((1 + 1 / thrown.k) * g);
+  const Vector3 brake = -g / slip.norm() * slip;
+  const Vector3 place = time * thrown.velocity + time * time / 2 * brake;
+  return {time, thrown.velocity + time * brake, place};
 }
 //! [exact]
 
@@ -98,7 +100,7 @@ int main(int argc, char** argv) {
       "sevenths of its speed. With back spin it comes back; with side spin it runs in a curve.");
   recording.setParameter("thrown as");
   recording.addFixed("lane", carom::io::Plane{40, 1});
-  recording.addBody("ball", carom::io::Ball{2 * kRadius}, {.trail = true});
+  recording.addBody("ball", carom::io::Ball{kRadius}, {.trail = true});
   recording.addChannel("speed", "m/s");
   recording.addChannel("slip", "m/s");
   recording.setView({.direction = Vector3(-0.1, 1, -0.7)});
@@ -121,10 +123,8 @@ int main(int argc, char** argv) {
     for (int i = 0; i <= 300; ++i) {
       const Real slip = carom::pointVelocity(ball.motion, -kRadius * kUp).norm();
       if (rollsAt < 0 && slip < 1e-9) rollsAt = i * kStep, placeThen = ball.x.x();
-      recording.addFrame({i * kStep,
-                          {{ball.x + kRadius * kUp, {q.w, q.x, q.y, q.z}}},
-                          {ball.motion.linear.norm(), slip},
-                          {}});
+      recording.addFrame(
+          {i * kStep, {{ball.x, {q.w, q.x, q.y, q.z}}}, {ball.motion.linear.norm(), slip}, {}});
       x.push_back(ball.x.x());
       y.push_back(ball.x.y());
       step(ball, thrown.k);
