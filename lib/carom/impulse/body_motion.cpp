@@ -71,32 +71,49 @@ PlanarBodyMass planarBodyMass(Real mass, Real inertia) {
   return {inverseOf(mass, "mass"), inverseOf(inertia, "inertia")};
 }
 
+// The checks below run with every impulse: one sum that is finite exactly if all numbers are, and
+// the message only when it is not.
+
 void requireUsable(const Contact& contact) {
+  const Real squaredLength = contact.normal.squaredNorm();
+  const Real all = (contact.armA + contact.armB).sum() * 0 + squaredLength;
+  if (std::abs(all - 1) <= 2 * kUnitTolerance) return;
   requireFinite(contact.normal, "contact.normal");
   requireFinite(contact.armA, "contact.armA");
   requireFinite(contact.armB, "contact.armB");
-  requireUnit(contact.normal.squaredNorm(), toText(contact.normal));
+  requireUnit(squaredLength, toText(contact.normal));
 }
 
 void requireUsable(const PlanarContact& contact) {
+  const Real squaredLength = contact.normal.squaredNorm();
+  const Real all = (contact.armA + contact.armB).sum() * 0 + squaredLength;
+  if (std::abs(all - 1) <= 2 * kUnitTolerance) return;
   requireFinitePlanar(contact.normal, "contact.normal");
   requireFinitePlanar(contact.armA, "contact.armA");
   requireFinitePlanar(contact.armB, "contact.armB");
-  requireUnit(contact.normal.squaredNorm(), text(contact.normal));
+  requireUnit(squaredLength, text(contact.normal));
 }
 
 void requireUsable(const MovingBody& body, const char* name) {
-  requireNonNegative(body.mass.inverseMass, named(name, "mass.inverseMass").c_str());
-  requireFinite(body.mass.inverseInertia, named(name, "mass.inverseInertia").c_str());
-  requireFinite(body.velocity.linear, named(name, "velocity.linear").c_str());
-  requireFinite(body.velocity.angular, named(name, "velocity.angular").c_str());
+  // A number times zero is zero, unless it is infinite or not a number.
+  const auto& [mass, velocity] = body;
+  const Real all = (mass.inverseInertia.sum() + velocity.linear.sum() + velocity.angular.sum()) * 0;
+  if (all == 0 && mass.inverseMass >= 0 && mass.inverseMass * 0 == 0) return;
+  requireNonNegative(mass.inverseMass, named(name, "mass.inverseMass").c_str());
+  requireFinite(mass.inverseInertia, named(name, "mass.inverseInertia").c_str());
+  requireFinite(velocity.linear, named(name, "velocity.linear").c_str());
+  requireFinite(velocity.angular, named(name, "velocity.angular").c_str());
 }
 
 void requireUsable(const PlanarBody& body, const char* name) {
-  requireNonNegative(body.mass.inverseMass, named(name, "mass.inverseMass").c_str());
-  requireNonNegative(body.mass.inverseInertia, named(name, "mass.inverseInertia").c_str());
-  requireFinitePlanar(body.velocity.linear, named(name, "velocity.linear"));
-  requireFinite(body.velocity.angular, named(name, "velocity.angular").c_str());
+  const auto& [mass, velocity] = body;
+  const Real all =
+      (velocity.linear.sum() + velocity.angular + mass.inverseMass + mass.inverseInertia) * 0;
+  if (all == 0 && mass.inverseMass >= 0 && mass.inverseInertia >= 0) return;
+  requireNonNegative(mass.inverseMass, named(name, "mass.inverseMass").c_str());
+  requireNonNegative(mass.inverseInertia, named(name, "mass.inverseInertia").c_str());
+  requireFinitePlanar(velocity.linear, named(name, "velocity.linear"));
+  requireFinite(velocity.angular, named(name, "velocity.angular").c_str());
 }
 
 void requireInertia(const Matrix3& inertia) {
