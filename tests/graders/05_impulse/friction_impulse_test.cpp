@@ -64,6 +64,7 @@ TEST_CASE("sliding") {
   ask({{0, -2, 0}, up, 2, 0.25, 1}, {0, 0.5, 0}, "slower and along -y: friction is as large");
   ask({{4, 0, 0}, up, 4, 0.25, 1}, {-1, 0, 0}, "pressed on twice as hard");
   ask({{3, 4, 0}, up, 2, 0.5, 8}, {-0.6, -0.8, 0}, "a heavier body, askew");
+  ask({{8, 0, 0}, up, 2, 1.5, 1}, {-3, 0, 0}, "rubber: mu above one");
   ask({{3, 0, 0}, up, 2, 0, 1}, {0, 0, 0}, "perfectly smooth");
 }
 

@@ -24,7 +24,7 @@ Vector3 frictionImpulse(const Vector3& relativeVelocity, const Vector3& normal, 
 
   const Real toStop = tangentialMass * speed;
   const Real atMost = friction * normalImpulse;
-  return -std::min(toStop, atMost) * slip;
+  return -std::min(toStop, atMost) * (slip * slip.squaredNorm());
 }
 
 }  // namespace carom
