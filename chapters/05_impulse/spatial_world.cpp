@@ -1,6 +1,7 @@
 #include "spatial_world.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "carom/core/checks.hpp"
 #include "carom/impulse/angular_acceleration.hpp"
@@ -12,6 +13,7 @@
 #include "carom/impulse/point_velocity.hpp"
 #include "carom/impulse/rolling_friction.hpp"
 #include "carom/impulse/simultaneous_impacts.hpp"
+#include "carom/impulse/sliding_disc.hpp"
 #include "carom/impulse/spinning_friction.hpp"
 #include "carom/rotation/integrate_orientation.hpp"
 #include "carom/rotation/quaternion_to_matrix.hpp"
@@ -62,11 +64,15 @@ void rub(SpatialTouch& t, const Contact& centre, Real pressed) {
   const BodyMass massA = massInWorld(a), massB = massInWorld(b);
 
   const Vector3 u = relativeVelocity(t, centre), slip = u - u.dot(n) * n;
+  // On a disc that spins, the slips of opposite parts nearly cancel, so both frictions are weaker.
+  const Real radius = std::max(t.a->patchRadius, t.b->patchRadius);
+  const Real rim = radius * std::abs((b.velocity.angular - a.velocity.angular).dot(n));
+  const DiscFriction share = rim > 0 ? discFriction(slip.norm() / rim) : DiscFriction{1, 0};
   if (slip.norm() > 0) {
     const Contact along{slip.normalized(), centre.armA, centre.armB};
-    applyImpulse(
-        a, centre.armA, b, centre.armB,
-        frictionImpulse(u, n, pressed, t.law.friction, effectiveMass(massA, massB, along)));
+    applyImpulse(a, centre.armA, b, centre.armB,
+                 frictionImpulse(u, n, pressed, share.force * t.law.friction,
+                                 effectiveMass(massA, massB, along)));
   }
 
   const Matrix3 inverseInertia = massA.inverseInertia + massB.inverseInertia;
@@ -86,7 +92,7 @@ void rub(SpatialTouch& t, const Contact& centre, Real pressed) {
                               .inertia = 1 / spinning,
                               .normalImpulse = pressed,
                               .friction = t.law.friction,
-                              .radius = std::max(t.a->patchRadius, t.b->patchRadius)}) *
+                              .radius = share.torque / (2.0 / 3) * radius}) *
             n;
   }
   a.velocity.angular -= massA.inverseInertia * turn;

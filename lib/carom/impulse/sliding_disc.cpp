@@ -23,6 +23,12 @@ struct Elliptic {
 // Arithmetic-geometric mean; K - E = K (c0^2 + 2 c1^2 + 4 c2^2 + ...)/2 (Abramowitz and Stegun
 // 17.6).
 Elliptic elliptic(Real k) {
+  if (k < 1e-3) {
+    // Two terms of the series leave out 1e-12 of the second. The mean below would see only the
+    // rounding of 1 - k^2.
+    const Real k2 = k * k;
+    return {kPi / 2 * (1 + k2 / 4 + 9 * k2 * k2 / 64), kPi / 2 * k2 * (0.5 + 3 * k2 / 16)};
+  }
   Real a = 1, g = std::sqrt((1 - k) * (1 + k)), c = k, weight = 1;
   Real sum = 0;
   // Each step doubles the digits.
@@ -90,8 +96,9 @@ State moved(const State& s, const State& d, Real h) {
 
 DiscFriction discFriction(Real ratio) {
   if (!(ratio >= 0)) reject("ratio", toText(ratio), "must be zero or positive");
-  if (ratio == 0) return {0, 2.0 / 3};
-  if (std::isinf(ratio)) return {1, 0};
+  // Far out and close in the first terms are all that a double holds, and squares might leave it.
+  if (ratio > 1e8) return {1, 0.25 / ratio};
+  if (ratio < 1e-8) return {ratio, 2.0 / 3};
   const Real x = ratio;
   if (x == 1) return {8 / (3 * kPi), 8 / (9 * kPi)};  // K is infinite there, but its factor is zero
   if (x < 1) {

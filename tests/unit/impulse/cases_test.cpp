@@ -326,6 +326,52 @@ TEST_CASE("I13: an oblique billiard shot") {
   CHECK(std::abs(std::acos(v.dot(w) / v.norm() / w.norm()) - number(expected["angle"])) < 1e-15);
 }
 
+TEST_CASE("I14: twenty-five balls on a box that is pushed across the axes") {
+  // Contacts stick or slide along a cone, so the direction of the push does not matter. Sweeps over
+  // the contacts, each of which corrects its own friction within the cone, until nothing changes.
+  const json expected = impulseCase("I14");
+  const Real g = 9.81, h = 1.0 / 60;
+  const Vector3 push(75, 75 * std::sqrt(3.0), 0), along = push.normalized();
+  constexpr int kBalls = 25, kSteps = 240;
+  MovingBody ground, box{{0.1, Matrix3::Zero()}, {}};
+  std::vector<MovingBody> balls(kBalls, solidBall({}));
+  const Contact onGround{{0, 0, 1}, {0, 0, 0}, {0, 0, 0}}, onBox{{0, 0, 1}, {0, 0, 0}, {0, 0, -1}};
+  const Contact sideways{{1, 0, 0}, {0, 0, 0}, {0, 0, -1}};
+  const Real massOnBox = effectiveMass(box.mass, balls[0].mass, sideways);
+
+  // Friction of one contact in this step so far, moved to where it stops the slip, or to the cone.
+  const auto correct = [](MovingBody& a, MovingBody& b, const Contact& contact, Vector3& friction,
+                          Real mass, Real limit) {
+    Vector3 u = relativeVelocity(a, b, contact);
+    u.z() = 0;
+    Vector3 wanted = friction - mass * u;
+    if (wanted.norm() > limit) wanted *= limit / wanted.norm();
+    changeVelocities(a, b, contact, Vector3(wanted - friction));
+    friction = wanted;
+  };
+  Real place = 0;
+  for (int step = 0; step < kSteps; ++step) {
+    box.velocity.linear += h * box.mass.inverseMass * push;
+    std::vector<Vector3> friction(kBalls + 1, Vector3::Zero());
+    for (int sweep = 0; sweep < 150; ++sweep) {
+      for (int i = 0; i < kBalls; ++i) {
+        correct(box, balls[static_cast<std::size_t>(i)], onBox,
+                friction[static_cast<std::size_t>(i)], massOnBox, 0.8 * g * h);
+      }
+      correct(ground, box, onGround, friction.back(), 10, 0.4 * (10 + kBalls) * g * h);
+    }
+    CHECK(std::abs(friction.back().norm() / h - number(expected["ground_friction"])) < 1e-10);
+    place += h * box.velocity.linear.dot(along);
+  }
+  Real squares = (box.velocity.linear - number(expected["v_box"]) * along).squaredNorm();
+  for (const MovingBody& ball : balls) {
+    squares += (ball.velocity.linear - number(expected["v_ball"]) * along).squaredNorm();
+  }
+  CHECK(squares / (kBalls + 1) < 1e-20);
+  // The place is that of steps of a constant acceleration, a h t/2 ahead.
+  CHECK(std::abs(place - number(expected["x_box"]) - number(expected["a_box"]) * h * 4 / 2) < 1e-9);
+}
+
 TEST_CASE("I15: a massé shot") {
   const json expected = impulseCase("I15");
   TableBall start;

@@ -169,6 +169,17 @@ TEST_CASE("friction of a disc is the sum over its parts") {
   CHECK(near(discFriction(1e-9).force, 1e-9, 100));
   CHECK(near(discFriction(1e9).torque, 0.25e-9, 100));
   CHECK(discFriction(std::numeric_limits<Real>::infinity()).force == 1);
+  // From the smallest ratios to the largest, force never falls and torque never rises.
+  DiscFriction before{0, 2.0 / 3};
+  for (Real digits = -300; digits < 300; digits += 0.0625) {
+    const DiscFriction now = discFriction(std::pow(10, digits));
+    INFO("ratio 1e" << digits);
+    REQUIRE(now.force >= before.force * (1 - 1e-14));
+    REQUIRE(now.force <= 1 + 1e-14);
+    REQUIRE(now.torque <= before.torque * (1 + 1e-13));
+    REQUIRE(now.torque >= 0);
+    before = now;
+  }
   CHECK_THROWS_AS(discFriction(-0.1), InvalidInput);
 }
 
