@@ -3,14 +3,17 @@
 // First the functions of the layer on a thousand random pairs of bodies, in cache. Then, as a
 // diagram of error against time, six ways to do friction on three motions whose end is known in
 // closed form: a block that stops (case I6), a ball that begins to roll (I7), a massé shot (I15).
+// Beside them, where they are installed, Bullet and ODE.
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <iostream>
 #include <limits>
 
 #include "bench/bench.hpp"
 #include "bench/friction_methods.hpp"
+#include "bench/friction_peers.hpp"
 #include "carom/core/cross.hpp"
 #include "carom/core/random.hpp"
 #include "carom/impulse/impulse_2d.hpp"
@@ -218,16 +221,58 @@ struct Point {
 
 struct Curve {
   std::string name;
+  bool peer = false;
   std::vector<Point> points;
 };
 
-const std::vector<std::pair<FrictionMethod, const char*>> kMethods = {
-    {FrictionMethod::source, "source, factor 1 + c"},
-    {FrictionMethod::pyramid, "pyramid in the cone"},
-    {FrictionMethod::box, "box around the cone"},
-    {FrictionMethod::cone, "projected on the cone"},
-    {FrictionMethod::exact, "exact stick or slip"},
-    {FrictionMethod::located, "event located (carom)"}};
+// A way to get from the start of a scene to its end in equal steps.
+struct Method {
+  const char* name;
+  std::function<Vector2(const TableScene&, int steps)> run;
+  bool peer = false;
+};
+
+#if defined(CAROM_BENCH_BULLET) || defined(CAROM_BENCH_ODE)
+using PeerSlide = carom::bench::PeerPlace (*)(const carom::bench::PeerScene&, int);
+
+Method peer(const char* name, PeerSlide slide) {
+  const auto run = [slide](const TableScene& scene, int steps) {
+    const carom::Velocity& v = scene.start.velocity;
+    const auto end = slide({{v.linear.x(), v.linear.y(), v.linear.z()},
+                            {v.angular.x(), v.angular.y(), v.angular.z()},
+                            !scene.block,
+                            scene.friction,
+                            scene.gravity,
+                            scene.duration},
+                           steps);
+    return Vector2(end.x, end.y);
+  };
+  return {name, run, true};
+}
+#endif
+
+std::vector<Method> allMethods() {
+  std::vector<Method> methods;
+  const std::vector<std::pair<FrictionMethod, const char*>> ours = {
+      {FrictionMethod::source, "source, factor 1 + c"},
+      {FrictionMethod::pyramid, "pyramid in the cone"},
+      {FrictionMethod::box, "box around the cone"},
+      {FrictionMethod::cone, "projected on the cone"},
+      {FrictionMethod::exact, "exact stick or slip"},
+      {FrictionMethod::located, "event located (carom)"}};
+  for (const auto& [method, name] : ours) {
+    methods.push_back({name, [method = method](const TableScene& scene, int steps) {
+                         return carom::bench::slideOverTable(scene, method, steps);
+                       }});
+  }
+#ifdef CAROM_BENCH_BULLET
+  methods.push_back(peer("Bullet", carom::bench::slideInBullet));
+#endif
+#ifdef CAROM_BENCH_ODE
+  methods.push_back(peer("ODE", carom::bench::slideInOde));
+#endif
+  return methods;
+}
 
 // Rates of steps; none of them ends a step exactly when sliding ends.
 const std::vector<int> kRates = {15, 30, 60, 120, 240, 480, 960, 1920, 3840};
@@ -235,16 +280,15 @@ const std::vector<int> kRates = {15, 30, 60, 120, 240, 480, 960, 1920, 3840};
 std::vector<Curve> race(const Known& known, const Options& options) {
   std::vector<Curve> curves;
   std::vector<Case> cases;
-  for (const auto& [method, name] : kMethods) {
-    Curve curve{name, {}};
+  for (const Method& method : allMethods()) {
+    Curve curve{method.name, method.peer, {}};
     for (const int rate : kRates) {
       const TableScene& scene = known.scene;
       const int steps = static_cast<int>(std::lround(scene.duration * rate));
-      const auto run = [scene, method = method, steps] {
-        return carom::bench::slideOverTable(scene, method, steps);
-      };
+      const auto run = [scene, slide = method.run, steps] { return slide(scene, steps); };
       curve.points.push_back({scene.duration / steps, (run() - known.end).norm(), {}});
-      cases.push_back({name, static_cast<std::size_t>(scene.duration), [run] { keep(run().x()); }});
+      cases.push_back(
+          {method.name, static_cast<std::size_t>(scene.duration), [run] { keep(run().x()); }});
     }
     curves.push_back(curve);
   }
@@ -272,7 +316,7 @@ void draw(const Known& known, const std::vector<Curve>& curves, const Options& o
       y.push_back(std::clamp(point.error, 1e-17, 100.0));
       left = std::min(left, x.back()), right = std::max(right, x.back());
     }
-    plot.curve(curve.name, x, y, carom::bench::styleOf(i++, false));
+    plot.curve(curve.name, x, y, carom::bench::styleOf(i++, curve.peer));
   }
   const Real edge = std::pow(10, std::floor(std::log10(left)));
   plot.xRange(edge, std::pow(10, std::ceil(std::log10(right))));

@@ -15,8 +15,8 @@
 // the contact is pressed harder, jn grows, and e of a larger impulse comes back (Kane and Levinson
 // 1985; Stronge 1990). passive_impact.hpp cannot.
 // Source: section 6.5, put right; the cone exactly, not a pyramid.
-// Not handled: which answer is the right one where several exist (steep contacts with large mu);
-// the one found lies nearest to the last point of the search, the same for the same input.
+// Not handled: which answer is the right one where several exist (steep contacts with large mu):
+// one of them is found, always the same for the same input.
 
 #include "carom/impulse/body_motion.hpp"
 #include "carom/impulse/impact_law.hpp"
