@@ -12,9 +12,10 @@ namespace {
 std::string figureHtml(const std::string& kind, const std::string& source, const std::string& shows,
                        const std::string& caption) {
   const std::string text = htmlText(shows);
-  const std::string drawn = kind == "figure" ? "<img src=\"" + source + "\" alt=\"" + text + "\"/>"
-                                             : "<iframe class=\"carom-player\" src=\"" + source +
-                                                   "\" title=\"" + text + "\"></iframe>";
+  const std::string drawn = kind == "figure"
+                                ? "<img src=\"" + source + "\" alt=\"" + text + "\"/>"
+                                : "<iframe class=\"carom-player\" loading=\"lazy\" src=\"" +
+                                      source + "\" title=\"" + text + "\"></iframe>";
   return "\\htmlonly<figure class=\"carom-figure\">" + drawn + "<figcaption>" + htmlText(caption) +
          (kind == "figure" ? "" : " <a href=\"" + source + "\">Open it alone.</a>") +
          "</figcaption></figure>\\endhtmlonly";

@@ -151,7 +151,7 @@ class Visitor {
       const clip = { x: frame.x + 0.1 * frame.width, y: frame.y + 0.2 * frame.height, width: 0.8 * frame.width,
                      height: 0.5 * frame.height, scale: 1 };
       let colors = 0;
-      for (let tries = 0; tries < 12 && colors < 3; ++tries) {
+      for (let tries = 0; tries < 40 && colors < 3; ++tries) {
         await delay(250);
         colors = countColors(readPng(await this.screenshot(clip)), 12);
       }
@@ -163,6 +163,20 @@ class Visitor {
     }
     return { path, faults: this.faults, links: seen.links, anchors: new Set(seen.anchors) };
   }
+}
+
+// Lists that Doxygen writes without a word of ours: source lines, members, indexes. They are two thirds of the
+// site; one in ten is opened, of the others the links and anchors are read from the text.
+function isListing(path) {
+  return /(_source|-members)\.html$|\/(functions|globals|namespacemembers|dir)_[^/]*\.html$/.test(path);
+}
+
+function read(path) {
+  const text = readFileSync(path, 'utf8');
+  const values = pattern => [...text.matchAll(pattern)].map(match => match[1].replaceAll('&amp;', '&'));
+  const links = values(/<a[^>]* href="([^"]*)"/g).concat(values(/<area[^>]* href="([^"]*)"/g));
+  return { path, faults: [], links: links.map(link => new URL(link, pathToFileURL(path)).href),
+           anchors: new Set(values(/ id="([^"]*)"/g).concat(values(/<a[^>]* name="([^"]*)"/g))) };
 }
 
 function findDeadLinks(visits) {
@@ -182,8 +196,10 @@ function findDeadLinks(visits) {
 }
 
 async function checkAll(browser, pages) {
-  const visits = [];
-  const waiting = [...pages];
+  const listings = pages.filter(isListing);
+  const onlyRead = new Set(listings.filter((_, i) => i % 10 !== 0));
+  const visits = [...onlyRead].map(read);
+  const waiting = pages.filter(page => !onlyRead.has(page));
   await Promise.all(Array.from({ length: kTabs }, async () => {
     const visitor = new Visitor();
     await visitor.start(browser);
