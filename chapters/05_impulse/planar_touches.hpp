@@ -16,10 +16,9 @@ namespace carom {
 /// Discs this near count as touching: they are moved to where they touch, up to rounding [m].
 inline constexpr Real kTouching = 1e-9;
 
-/// Polygons this near count as touching: they tilt a little when they are hit, and a box that
-/// stands must be held at both corners. A smaller value makes it rock, a larger one makes it float
-/// [m].
-inline constexpr Real kNearlyTouching = 1e-3;
+/// Polygons this near count as touching: as far as gravity moves a corner that nothing holds in a
+/// step of 1/60 s. A smaller value makes boxes rock, a larger one makes them float [m].
+inline constexpr Real kNearlyTouching = 3e-3;
 
 /// Two bodies that touch. The walls are one more body, behind the last.
 struct PlanarTouch {

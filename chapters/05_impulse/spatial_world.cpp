@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "carom/core/checks.hpp"
 #include "carom/impulse/angular_acceleration.hpp"
@@ -23,7 +24,7 @@ namespace carom {
 
 namespace {
 
-constexpr Real kSlow = 4;   // steps of gravity: slower than that nothing bounces, or it never rests
+constexpr Real kSlow = 4;   // steps of gravity: what hits slower does not bounce, or never rests
 constexpr int kRounds = 4;  // friction turns bodies, which presses contacts once more
 
 MovingBody inWorld(const SpatialWorldBody& body) {
@@ -99,14 +100,18 @@ void rub(SpatialTouch& t, const Contact& centre, Real pressed) {
   b.velocity.angular += massB.inverseInertia * turn;
 }
 
-void resolve(SpatialWorld& world, std::vector<SpatialTouch>& touches, Real dt) {
+// What hits slower than a few steps of gravity does not bounce.
+void slowDoNotBounce(std::vector<SpatialTouch>& touches, Real slow) {
   for (SpatialTouch& t : touches) {
     Real approach = 0;
     for (const Contact& point : t.points) {
       approach = std::max(approach, -relativeVelocity(t, point).dot(point.normal));
     }
-    if (approach < kSlow * dt * world.gravity.norm()) t.law.restitution = 0;
+    if (approach < slow) t.law.restitution = 0;
   }
+}
+
+void resolve(SpatialWorld& world, std::vector<SpatialTouch>& touches) {
   for (int round = 0; round < kRounds && !touches.empty(); ++round) {
     const std::vector<Real> sizes = normalImpulses(world, touches);
     std::size_t next = 0;
@@ -142,6 +147,12 @@ SpatialWorldBody movableBody(const Shape& shape, const MassProperties& weight,
 
 void step(SpatialWorld& world, Real dt) {
   requirePositive(dt, "dt");
+  // Impacts, at the speeds at which the bodies arrived.
+  std::vector<SpatialTouch> touches = findTouches(world);
+  slowDoNotBounce(touches, kSlow * dt * world.gravity.norm());
+  resolve(world, touches);
+
+  // Forces; what they press together does not bounce.
   for (SpatialWorldBody& body : world.bodies) {
     auto& [inverseMass, inverseInertia, R_WB, velocity] = body.motion;
     if (inverseMass == 0) continue;
@@ -151,8 +162,9 @@ void step(SpatialWorld& world, Real dt) {
     // the world it is the same change, turned.
     velocity.angular += dt * R_WB * angularAcceleration(body.inertia, w_B, Vector3::Zero());
   }
-  std::vector<SpatialTouch> touches = findTouches(world);
-  resolve(world, touches, dt);
+  slowDoNotBounce(touches, std::numeric_limits<Real>::infinity());
+  resolve(world, touches);
+
   for (SpatialWorldBody& body : world.bodies) {
     body.position += dt * body.motion.velocity.linear;
     body.orientation = integrateOrientation(body.orientation, body.motion.velocity.angular, dt);

@@ -1,12 +1,13 @@
 #pragma once
 // A world in space, made of the functions of this chapter.
 //
-// A step: gravity, the air and Euler's equation change the velocities; what touches is resolved,
-// normal impulses first and then friction; the bodies move; what overlaps is pushed apart.
+// A step: what touches bounces, at the speeds at which it arrived; gravity, the air and Euler's
+// equation change the velocities; what they press together is held, without a bounce; the bodies
+// move; what overlaps is pushed apart. Normal impulses come first, and friction after them.
 // Friction of a pair acts at its centre of pressure: that is where the floor pushes on the whole.
-// Not handled: fast bodies, which may pass through each other (chapter 7), the energy that pushing
-// out adds to a bouncing ball (chapter 7), piles (chapter 9), and
-// the energy that the explicit step of Euler's equation gives a tumbling body (chapter 6).
+// Not handled: fast bodies, which may pass through each other, and the little energy that pushing
+// out adds to what bounces (chapter 7); piles (chapter 9); the energy that the explicit step of
+// Euler's equation gives a tumbling body (chapter 6).
 
 #include <vector>
 

@@ -209,6 +209,18 @@ TEST_CASE("a parachute sinks at the speed at which drag carries the weight") {
   CHECK(std::abs(v.x() - 2) < 1e-6);  // it drifts with the wind
 }
 
+TEST_CASE("a ball that bounces comes to rest in about the time of case I10, and does not sink") {
+  const json expected = impulseCase("I10");
+  SpatialWorldBody ball =
+      movableBody(makeBall(0.1), weight(1, 0.004 * Matrix3::Identity()), {0, 0, 1.1});
+  ball.restitution = 0.8;
+  SpatialWorld world = onFloor(ball);
+  const int restsAfter = static_cast<int>(number(expected["t_inf"]) * 240);
+  for (int i = 0; i < restsAfter + 60; ++i) step(world, 1.0 / 240);
+  CHECK(world.bodies[1].motion.velocity.linear.norm() < 1e-12);
+  CHECK(std::abs(world.bodies[1].position.z() - 0.1) < 3e-3);
+}
+
 TEST_CASE("two balls in space that meet keep momentum, and a wall turns one round") {
   SpatialWorld world;
   world.gravity = Vector3::Zero();
