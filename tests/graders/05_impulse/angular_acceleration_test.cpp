@@ -101,7 +101,9 @@ TEST_CASE("skew") {
 TEST_CASE("any") {
   Random random(seed() + 1);
   for (int n = 0; n < 15; ++n) {
-    const auto [inertia, w, torque, unused] = anyTurning(random);
+    const Turning turning = anyTurning(random);
+    const Matrix3 inertia = turning.inertia;
+    const Vector3 w = turning.w, torque = turning.torque;
     GRADE(changeInSpace(inertia, w, angularAcceleration(inertia, w, torque)), torque,
           within(1e-4, "it is measured over 2e-4 s"), given("inertia", inertia, "kg m^2"),
           given("angularVelocity", w, "rad/s"), given("torque", torque, "N m"), unit("N m"),

@@ -27,7 +27,8 @@ Vector3 frictionOf(const Slide& s) {
 }
 
 void ask(const Slide& s, const Vector3& expected, const char* what) {
-  const auto& [velocity, normal, pressed, mu, mass] = s;
+  const Vector3 velocity = s.velocity, normal = s.normal;
+  const Real pressed = s.pressed, mu = s.mu, mass = s.mass;
   GRADE(frictionImpulse(velocity, normal, pressed, mu, mass), expected, within(1e-14, kRounding),
         given("relativeVelocity", velocity, "m/s"), given("normal", normal),
         given("normalImpulse", pressed, "N s"), given("friction", mu),

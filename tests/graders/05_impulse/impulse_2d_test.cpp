@@ -130,7 +130,9 @@ TEST_CASE("any") {
   Random random(seed());
   for (int n = 0; n < 25; ++n) {
     const Hit hit = anyHit(random);
-    const auto& [a, b, contact, e] = hit;
+    const PlanarBody a = hit.a, b = hit.b;
+    const PlanarContact contact = hit.contact;
+    const Real e = hit.e;
     GRADE(bounce(a, b, contact, impulse2d(a, b, contact, e)), e, within(1e-13, kRounding),
           given("a", a), given("b", b), given("normal", contact.normal),
           given("armA", contact.armA, "m"), given("armB", contact.armB, "m"),

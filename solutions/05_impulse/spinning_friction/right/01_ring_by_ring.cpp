@@ -8,7 +8,8 @@
 namespace carom {
 
 Real spinningFriction(const SpinningContact& contact) {
-  const auto& [spin, inertia, pressed, mu, radius] = contact;
+  const Real spin = contact.spin, inertia = contact.inertia, pressed = contact.normalImpulse;
+  const Real mu = contact.friction, radius = contact.radius;
   if (!std::isfinite(spin) || !(inertia > 0) || !(pressed >= 0) || !(mu >= 0) || !(radius >= 0)) {
     throw InvalidInput("spinningFriction: no such contact");
   }
