@@ -12,6 +12,7 @@
 #include "carom/impulse/effective_mass.hpp"
 #include "carom/impulse/impulse_3d.hpp"
 #include "carom/impulse/passive_impact.hpp"
+#include "carom/impulse/planar_to_spatial.hpp"
 #include "reference.hpp"
 #include "support/catch.hpp"
 
@@ -264,23 +265,24 @@ TEST_CASE("planar impacts are spatial ones seen from above, under both laws") {
     const PlanarContact contact{{std::cos(angle), std::sin(angle)},
                                 {random.between(-1, 1), random.between(-1, 1)},
                                 {random.between(-1, 1), random.between(-1, 1)}};
-    const auto raise = [](const Vector2& v) { return Vector3(v.x(), v.y(), 0); };
-    const auto lift = [&raise](const PlanarBody& p) {
-      MovingBody lifted;
-      lifted.mass.inverseMass = p.mass.inverseMass;
-      lifted.mass.inverseInertia(2, 2) = p.mass.inverseInertia;
-      lifted.velocity = {raise(p.velocity.linear), {0, 0, p.velocity.angular}};
-      return lifted;
-    };
-    const Contact above{raise(contact.normal), raise(contact.armA), raise(contact.armB)};
+    const Contact above = inSpace(contact);
     const ImpactLaw law{.restitution = random.between(0, 1), .friction = random.between(0, 2)};
     INFO("seed 43, impact " << i);
-    const Vector3 spatial = passiveImpact(lift(a), lift(b), above, law).impulse;
+    const Vector3 spatial = passiveImpact(inSpace(a), inSpace(b), above, law).impulse;
     const Vector2 planar = passiveImpact(a, b, contact, law).impulse;
-    REQUIRE((raise(planar) - spatial).norm() < 1e-13 * (1 + planar.norm()));
-    const Vector3 newton = coulombImpact(lift(a), lift(b), above, law).impulse;
+    REQUIRE((inSpace(planar) - spatial).norm() < 1e-13 * (1 + planar.norm()));
+    const Vector3 newton = coulombImpact(inSpace(a), inSpace(b), above, law).impulse;
     const Vector2 flat = coulombImpact(a, b, contact, law).impulse;
-    REQUIRE((raise(flat) - newton).norm() < 1e-11 * (1 + flat.norm()));
+    REQUIRE((inSpace(flat) - newton).norm() < 1e-11 * (1 + flat.norm()));
+    // And back: what the impulse does in space lies in the plane.
+    MovingBody liftedA = inSpace(a), liftedB = inSpace(b);
+    PlanarBody flatA = a, flatB = b;
+    changeVelocities(liftedA, liftedB, above, spatial);
+    changeVelocities(flatA, flatB, contact, planar);
+    const PlanarVelocity back = inPlane(liftedB.velocity);
+    REQUIRE((back.linear - flatB.velocity.linear).norm() < 1e-12);
+    REQUIRE(std::abs(back.angular - flatB.velocity.angular) < 1e-11);
+    REQUIRE(std::abs(liftedB.velocity.linear.z()) < 1e-15);
   }
 }
 
