@@ -1,0 +1,38 @@
+#include "carom/motion/adaptive.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "carom/core/checks.hpp"
+
+namespace carom {
+
+void requireUsable(const Tolerance& tolerance) {
+  requirePositive(tolerance.absolute, "absolute");
+  requireNonNegative(tolerance.relative, "relative");
+  if (tolerance.maxSteps < 1) {
+    reject("maxSteps", std::to_string(tolerance.maxSteps), "must be positive");
+  }
+}
+
+Real stepFactor(Real ratio, int order) {
+  constexpr Real kSafety = 0.9, kSmallest = 0.2, kLargest = 5;
+  const auto power = [order](Real x) {
+    Real p = 1;
+    for (int i = 0; i < order; ++i) p *= x;
+    return p;
+  };
+  // Where the limits rule, no root is needed.
+  if (ratio * power(kLargest) <= power(kSafety)) return kLargest;
+  if (ratio * power(kSmallest) >= power(kSafety)) return kSmallest;
+
+  // The root by halving: C libraries round std::pow differently, and other steps would follow.
+  Real low = kSmallest, high = kLargest;
+  for (int i = 0; i < 40; ++i) {
+    const Real middle = (low + high) / 2;
+    (ratio * power(middle) < power(kSafety) ? low : high) = middle;
+  }
+  return low;
+}
+
+}  // namespace carom

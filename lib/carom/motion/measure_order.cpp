@@ -1,0 +1,18 @@
+#include "carom/motion/measure_order.hpp"
+
+#include <cmath>
+
+#include "carom/core/checks.hpp"
+
+namespace carom {
+
+Real measureOrder(const StepError& coarse, const StepError& fine) {
+  requirePositive(coarse.dt, "coarse.dt");
+  requirePositive(fine.dt, "fine.dt");
+  requirePositive(coarse.error, "coarse.error");
+  requirePositive(fine.error, "fine.error");
+  if (!(coarse.dt > fine.dt)) reject("fine.dt", toText(fine.dt), "must be below coarse.dt");
+  return std::log(coarse.error / fine.error) / std::log(coarse.dt / fine.dt);
+}
+
+}  // namespace carom

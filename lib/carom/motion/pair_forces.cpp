@@ -1,0 +1,53 @@
+#include "carom/motion/pair_forces.hpp"
+
+#include <cmath>
+
+#include "carom/core/checks.hpp"
+
+namespace carom {
+namespace {
+
+void requireUsable(std::span<const Vector3> positions, const LennardJones& atoms,
+                   const Vector3& box) {
+  for (const Vector3& position : positions) requireFinite(position, "position");
+  requirePositive(atoms.depth, "depth");
+  requirePositive(atoms.size, "size");
+  requirePositive(atoms.cutoff, "cutoff");
+  requireFinite(box, "box");
+  for (int axis = 0; axis < 3; ++axis) {
+    if (box[axis] != 0 && !(box[axis] >= 2 * atoms.cutoff * atoms.size)) {
+      reject("box", toText(box), "must be zero or at least twice the cut-off along each axis");
+    }
+  }
+}
+
+// From one particle to the nearest image of another.
+Vector3 nearestImage(const Vector3& from, const Vector3& to, const Vector3& box) {
+  Vector3 d = to - from;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (box[axis] != 0) d[axis] -= box[axis] * std::round(d[axis] / box[axis]);
+  }
+  return d;
+}
+
+}  // namespace
+
+CrowdForces pairForces(std::span<const Vector3> positions, const LennardJones& atoms,
+                       const Vector3& box) {
+  requireUsable(positions, atoms, box);
+  CrowdForces crowd;
+  crowd.forces.assign(positions.size(), Vector3::Zero());
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    for (std::size_t j = i + 1; j < positions.size(); ++j) {
+      const Vector3 d = nearestImage(positions[i], positions[j], box);
+      if (d.squaredNorm() == 0) reject("position", toText(positions[j]), "must be taken only once");
+      const PairForce pair = pairForce(atoms, d.squaredNorm());
+      crowd.forces[i] -= pair.factor * d;
+      crowd.forces[j] += pair.factor * d;
+      crowd.energy += pair.energy;
+    }
+  }
+  return crowd;
+}
+
+}  // namespace carom

@@ -1,0 +1,15 @@
+#include "carom/motion/velocity_verlet.hpp"
+
+namespace carom {
+
+State velocityVerlet(const State& state, Real time, Real dt, const Acceleration& acceleration) {
+  requireUsable(state, time, dt);
+  const Coordinates before = accelerationAt(acceleration, time, state.position, state.velocity);
+  const Coordinates position = state.position + dt * state.velocity + dt * dt / 2 * before;
+
+  const Coordinates guess = state.velocity + dt * before;
+  const Coordinates after = accelerationAt(acceleration, time + dt, position, guess);
+  return {position, state.velocity + dt / 2 * (before + after)};
+}
+
+}  // namespace carom

@@ -1,0 +1,16 @@
+#include "carom/motion/verlet.hpp"
+
+#include "carom/core/checks.hpp"
+
+namespace carom {
+
+TwoPositions verlet(const TwoPositions& positions, Real time, Real dt,
+                    const Acceleration& acceleration) {
+  requireUsable({positions.previous, positions.current}, time, dt);
+  if (dt == 0) reject("dt", toText(dt), "must not be zero");
+  const Coordinates step = positions.current - positions.previous;
+  const Coordinates a = accelerationAt(acceleration, time, positions.current, step / dt);
+  return {positions.current, positions.current + (step + dt * dt * a)};
+}
+
+}  // namespace carom
