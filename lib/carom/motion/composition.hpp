@@ -7,7 +7,7 @@
 // Why: the result stays symplectic and time-reversible, so energy does not drift however long the
 // run, and it needs nothing but the force. Three steps give order 4, seven order 6.
 // Source: Yoshida, Physics Letters A 150, 1990; the digits of order 6 (his solution A) are those of
-// Hairer, Lubich and Wanner 2006, V.3.2.
+// Hairer, Lubich and Wanner 2006, V.3.2; Kahan and Li, Mathematics of Computation 66, 1997.
 // Not handled: forces that depend on the velocity (the kick would have to be solved for), and
 // changing the step on the way, which would lose what the method is for.
 
@@ -32,6 +32,22 @@ inline constexpr std::array<Real, 7> kYoshida6Weights = {
     0.784513610477557263820, 0.235573213359358133685, -1.17767998417887100695,
     1.31518632068391121888,  //
     -1.17767998417887100695, 0.235573213359358133685, 0.784513610477557263820};
+
+/// Kahan and Li's order 6, nine forces a step, and a tenth of the error of Yoshida's or less.
+/// \ingroup motion
+inline constexpr std::array<Real, 9> kKahanLi6Weights = {
+    0.39216144400731413928,  0.33259913678935943860, -0.70624617255763935981,
+    0.082213596293550800230, 0.79854399093482996340, 0.082213596293550800230,
+    -0.70624617255763935981, 0.33259913678935943860, 0.39216144400731413928};
+
+/// Kahan and Li's order 8, seventeen forces a step. \ingroup motion
+inline constexpr std::array<Real, 17> kKahanLi8Weights = {
+    0.130202483088890080879,  0.561162981775108384562,  -0.389474962644847286408,
+    0.158841906555155600896,  -0.395903894133237577336, 0.184539640978315707092,
+    0.258374387686322047294,  0.295011723609310298871,  -0.605508533830034511699,
+    0.295011723609310298871,  0.258374387686322047294,  0.184539640978315707092,
+    -0.395903894133237577336, 0.158841906555155600896,  -0.389474962644847286408,
+    0.561162981775108384562,  0.130202483088890080879};
 
 /// One composed step, in place. It allocates nothing that `acceleration` does not, so it also
 /// serves large systems.

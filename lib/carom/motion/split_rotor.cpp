@@ -74,6 +74,7 @@ RotorState SplitRotor::step4(const RotorState& state, Real dt) const {
   constexpr Real kOdd[] = {a1, a2, a3, a4, a3, a2};
   constexpr Real kRound[] = {b1, b2, b3, b3, b2, b1};
 
+  if (oddRate_ == 0) return step2(state, dt);  // round: one turn does it, without error
   requireUsable(state);
   requireFinite(dt, "dt");
   Moving body = {state.q_WB, moments_.cwiseProduct(state.angularVelocity)};

@@ -13,7 +13,7 @@
 // Source: Dullweber, Leimkuhler and McLachlan, Journal of Chemical Physics 107, 1997; Hairer,
 // Lubich and Wanner, Geometric Numerical Integration, 2006, VII.5; Blanes and Moan, Journal of
 // Computational and Applied Mathematics 142, 2002 (S6 of order 4).
-// Not handled: torque. Half a kick before and half after a step adds one, to order 2.
+// Not handled: torque (kicked_rotor.hpp).
 
 #include "carom/motion/rotor.hpp"
 
@@ -25,6 +25,11 @@ class SplitRotor {
   /// Prepares for a body. \param moments principal moments of inertia [kg m^2]
   /// \throws InvalidInput if one is not positive and finite
   explicit SplitRotor(const Vector3& moments);
+
+  /// The body. \return its principal moments of inertia [kg m^2]
+  const Vector3& moments() const {
+    return moments_;
+  }
 
   /// One step of order 2. \param state attitude and angular velocity at the start
   /// \param dt length of the step; negative runs backwards [s]

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 
 #include "carom/core/errors.hpp"
 #include "carom/motion/adaptive.hpp"
@@ -108,11 +109,38 @@ TEST_CASE("the parts of a composed step add up to one step, and their errors to 
   CHECK(std::abs(powerSum(kYoshida6Weights, 1) - 1) < 1e-15);
   CHECK(std::abs(powerSum(kYoshida6Weights, 3)) < 1e-14);
   CHECK(std::abs(powerSum(kYoshida6Weights, 5)) < 1e-14);
+  CHECK(std::abs(powerSum(kKahanLi6Weights, 1) - 1) < 1e-15);
+  CHECK(std::abs(powerSum(kKahanLi8Weights, 1) - 1) < 1e-15);
+  for (int power : {3, 5}) CHECK(std::abs(powerSum(kKahanLi6Weights, power)) < 1e-15);
+  for (int power : {3, 5, 7}) CHECK(std::abs(powerSum(kKahanLi8Weights, power)) < 1e-15);
 }
 
 TEST_CASE("Yoshida's compositions are of order 4 and 6") {
   checkOrder(yoshida4, 100, 4);
   checkOrder(yoshida6, 20, 6, 6);  // rounding comes soon
+}
+
+TEST_CASE("the compositions of Kahan and Li are of order 6 and 8") {
+  const auto by = [](std::span<const Real> weights) -> Step {
+    return [weights](const State& s, Real t, Real dt, const Acceleration& a) {
+      State next = s;
+      composedStep(next.position, next.velocity, t, dt, weights,
+                   [&](Real time, const Coordinates& x) { return a(time, x, x); });
+      return next;
+    };
+  };
+  checkOrder(by(kKahanLi6Weights), 10, 6, 6);
+  for (Problem p : problems()) {
+    const auto error = [&](int n) {
+      return std::abs(
+          simulate(by(kKahanLi8Weights), p.from, 0, p.duration / n, n, p.acceleration).position[0] -
+          p.x);
+    };
+    const int n = 6 * p.fine;
+    const Real order = measureOrder({2, error(n)}, {1, error(2 * n)});
+    INFO(p.name << ": order " << order);
+    CHECK(std::abs(order - 8) < 0.3);
+  }
 }
 
 TEST_CASE("the pair of Dormand and Prince is of order 5") {
@@ -157,17 +185,23 @@ TEST_CASE("N6: a pendulum that nearly stands, at a thousand steps a second") {
   }
 }
 
-TEST_CASE("N15: the energy of a pendulum under a composition of order 6") {
-  Real x = 1, v = 0, worst = 0;
+TEST_CASE("N15: the energy of a pendulum under compositions of order 6 and 8") {
   const auto energy = [](Real p, Real u) { return u * u / (2 * 9.81) - carom::cosine(p); };
-  const Real e = energy(x, v);
-  for (int i = 0; i < 100000; ++i) {
-    composedStep(x, v, 0, 1.0 / 60, kYoshida6Weights,
-                 [](Real, Real p) { return -9.81 * carom::sine(p); });
-    worst = std::max(worst, std::abs(energy(x, v) - e));
-  }
-  INFO("energy error " << worst);
-  CHECK(worst < 1e-8);
+  const auto worst = [&](std::span<const Real> weights) {
+    Real x = 1, v = 0, largest = 0;
+    const Real e = energy(x, v);
+    for (int i = 0; i < 100000; ++i) {
+      composedStep(x, v, 0, 1.0 / 60, weights, [](Real, Real p) { return -9.81 * carom::sine(p); });
+      largest = std::max(largest, std::abs(energy(x, v) - e));
+    }
+    return largest;
+  };
+  const Real yoshida = worst(kYoshida6Weights), six = worst(kKahanLi6Weights),
+             eight = worst(kKahanLi8Weights);
+  INFO("energy error: Yoshida " << yoshida << ", Kahan and Li 6: " << six << ", 8: " << eight);
+  CHECK(yoshida < 1e-8);
+  CHECK(six < 1e-11);
+  CHECK(eight < 1e-12);
 }
 
 TEST_CASE("N3: a projectile in air, for less than 500 looks at the forces") {

@@ -8,11 +8,13 @@
 #include "carom/core/cross.hpp"
 #include "carom/core/errors.hpp"
 #include "carom/core/random.hpp"
+#include "carom/motion/composition.hpp"
 #include "carom/motion/exact_rotor.hpp"
 #include "carom/motion/explicit_gyroscopic_step.hpp"
 #include "carom/motion/free_rotor.hpp"
 #include "carom/motion/gyroscopic_step.hpp"
 #include "carom/motion/jacobi_elliptic.hpp"
+#include "carom/motion/kicked_rotor.hpp"
 #include "carom/motion/measure_order.hpp"
 #include "carom/motion/rk4_rotor.hpp"
 #include "carom/motion/rotor.hpp"
@@ -433,6 +435,102 @@ TEST_CASE("stepping the exact rotor from rounded states stays exact") {
   INFO("after 100 s " << between(s.q_WB, whole.at(100).q_WB));
   CHECK(between(s.q_WB, whole.at(100).q_WB) < 1e-8);
   CHECK(std::abs(energyGain(s)) < 1e-12);
+}
+
+namespace {
+
+// The top of N10: a mass of 1 kg half a metre above its point. Moments are about the point.
+const Vector3 kTop(0.3, 0.3, 0.1);
+
+Vector3 weightOfTop(Real, const RotorState& s) {
+  return cross(Vector3(0, 0, 0.5), rotatePoint(conjugate(s.q_WB), {0, 0, -9.81}));
+}
+
+Vector3 axisOf(const RotorState& s) {
+  return rotatePoint(s.q_WB, {0, 0, 1});
+}
+
+Real tiltOf(const RotorState& s) {
+  const Vector3 axis = axisOf(s);
+  return carom::arctangent2(std::hypot(axis.x(), axis.y()), axis.z());
+}
+
+RotorState tilted(Real angle) {
+  const SineCosine half = sineCosine(angle / 2);
+  return {{half.cosine, half.sine, 0, 0}, {0, 0, 0}};
+}
+
+}  // namespace
+
+TEST_CASE("N10: a top that precesses steadily for 100 s") {
+  const json expected = motionCase("N10");
+  const SplitRotor body(kTop);
+  RotorState s = tilted(kPi / 6);
+  const Real precession = number(expected["slow"]);
+  const Vector3 up = rotatePoint(conjugate(s.q_WB), {0, 0, 1});  // along the axes of the body
+  s.angularVelocity = precession * Vector3(up.x(), up.y(), 0) + Vector3(0, 0, 60);
+  const Vector3 first = axisOf(s);
+  Real worst = 0;
+  constexpr int kSteps = 50000;
+  for (int i = 0; i < kSteps; ++i) {
+    s = kickedRotor(body, s, i * 2e-3, 2e-3, kKahanLi6Weights, weightOfTop);
+    worst = std::max(worst, std::abs(tiltOf(s) - kPi / 6));
+  }
+  const Vector3 last = axisOf(s);
+  const Real turned = carom::arctangent2(first.x() * last.y() - first.y() * last.x(),
+                                         first.x() * last.x() + first.y() * last.y());
+  const Real off = std::remainder(turned - precession * 100, 2 * kPi) / 100;
+  INFO("tilt off by " << worst << " rad, precession by " << off << " rad/s");
+  CHECK(worst < 1e-10);
+  CHECK(std::abs(off) < 1e-10);
+}
+
+TEST_CASE("N11: a top that is let go nods, and comes to rest at each cusp") {
+  const json expected = motionCase("N11");
+  const SplitRotor body(kTop);
+  RotorState s = tilted(0.5);
+  s.angularVelocity = {0, 0, 40};
+  const Vector3 first = axisOf(s);
+  Real deepest = 0;
+  for (int i = 0; i < 2000; ++i) {
+    s = kickedRotor(body, s, i * 1e-3, 1e-3, kKahanLi6Weights, weightOfTop);
+    deepest = std::max(deepest, tiltOf(s));
+  }
+  const Vector3 last = axisOf(s);
+  const Real turned = carom::arctangent2(first.x() * last.y() - first.y() * last.x(),
+                                         first.x() * last.x() + first.y() * last.y());
+  INFO("theta off by " << tiltOf(s) - number(expected["theta"]) << ", phi by "
+                       << turned - number(expected["phi"]));
+  CHECK(std::abs(tiltOf(s) - number(expected["theta"])) < 1e-9);
+  CHECK(std::abs(turned - number(expected["phi"])) < 1e-9);
+  CHECK(std::abs(deepest - number(expected["theta_max"])) < 1e-5);
+
+  // Runge and Kutta, with its torque, finds the same.
+  RotorState r = tilted(0.5);
+  r.angularVelocity = {0, 0, 40};
+  for (int i = 0; i < 4000; ++i) r = rk4Rotor(kTop, r, i * 5e-4, 5e-4, weightOfTop);
+  CHECK(std::abs(tiltOf(r) - number(expected["theta"])) < 1e-6);
+}
+
+TEST_CASE("a body of three unlike moments under torque is stepped to order 4") {
+  const SplitRotor body(kMoments);
+  const auto error = [&](int n) {
+    RotorState s = kTumbling;
+    for (int i = 0; i < n; ++i) {
+      s = kickedRotor(body, s, 2.0 * i / n, 2.0 / n, kYoshida4Weights, weightOfTop);
+    }
+    RotorState fine = kTumbling;
+    for (int i = 0; i < 4000; ++i) {
+      fine = rk4Rotor(kMoments, fine, i * 5e-4, 5e-4, weightOfTop);
+    }
+    return between(s.q_WB, fine.q_WB);
+  };
+  const Real order = measureOrder({2, error(100)}, {1, error(200)});
+  INFO("order " << order);
+  CHECK(std::abs(order - 4) < 0.15);
+  CHECK_THROWS_AS(kickedRotor(body, kTumbling, 0, 1, kYoshida4Weights, Torque()), InvalidInput);
+  CHECK_THROWS_AS(kickedRotor(body, kTumbling, kNan, 1, kYoshida4Weights, weightOfTop),
+                  InvalidInput);
 }
 
 TEST_CASE("bodies that cannot be are refused") {

@@ -383,6 +383,23 @@ TEST_CASE("a loop that adds dt until t is ten takes a step too many; counting do
   CHECK(times.back() == 99 * 0.1);
 }
 
+TEST_CASE("the listing of section 7.4 prints every value a step late, and a line too many") {
+  // Its loop as it stands, printing x beside what y has become.
+  std::vector<std::pair<Real, Real>> lines;
+  Real y = 0;
+  const Real h = 0.1;
+  for (Real x = 0; x <= 1; x = x + h) {
+    const auto f = [](Real v) { return 1 + v * v; };
+    const Real k1 = h * f(y), k2 = h * f(y + k1 / 2), k3 = h * f(y + k2 / 2), k4 = h * f(y + k2);
+    y = y + (k1 + 2 * k2 + 2 * k3 + k4) / 6;
+    lines.emplace_back(x, y);
+  }
+  REQUIRE(lines.size() == 11);
+  CHECK(std::abs(lines.back().first - 1) < 1e-15);
+  CHECK(std::abs(lines.back().second - 1.963313) < 5e-7);  // tan 1.1 is 1.964760, tan 1 is 1.557408
+  CHECK(std::abs(lines[9].second - std::tan(1.0)) < 1e-3);
+}
+
 TEST_CASE("the measured order is the slope between two runs") {
   CHECK(measureOrder({0.1, 1e-3}, {0.05, 2.5e-4}) == 2);
   CHECK(std::abs(measureOrder({0.3, 2 * 0.3 * 0.3 * 0.3}, {0.1, 2e-3}) - 3) < 1e-14);
