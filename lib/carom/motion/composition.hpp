@@ -74,4 +74,47 @@ void composedStep(V& position, V& velocity, Real time, Real dt, std::span<const 
   position += drift * dt * velocity;
 }
 
+/// A motion that remembers what rounding has taken from it. \ingroup motion
+template <class V>
+struct CarefulMotion {
+  V position;      ///< [m]
+  V velocity;      ///< [m/s]
+  V lostPosition;  ///< what rounding has lost of the position; zero at the start [m]
+  V lostVelocity;  ///< what rounding has lost of the velocity; zero at the start [m/s]
+};
+
+/// The same step with every sum compensated: what rounding cuts off is added to the next term. After
+/// n steps the error of rounding is that of a few, where the plain step has n (and n^1.5 in the
+/// phase). It costs a few additions, which wait for nothing.
+/// \tparam V a number or a vector of fixed size
+/// \tparam Force called as acceleration(time, position), answers something that converts to V
+/// \param motion at the start; is changed to that at the end
+/// \param time at the start [s]
+/// \param dt length of the step; negative runs backwards [s]
+/// \param weights lengths of the parts in units of dt, adding up to 1, for example kYoshida4Weights
+/// \param acceleration a(t, x) [m/s^2]
+/// \ingroup motion
+template <class V, class Force>
+void composedStep(CarefulMotion<V>& motion, Real time, Real dt, std::span<const Real> weights,
+                  Force&& acceleration) {
+  // The rounding error of a sum, exactly (Knuth's two-sum).
+  const auto add = [](V& sum, V& lost, const V& term) {
+    const V wanted = term + lost;
+    const V next = sum + wanted;
+    const V taken = next - sum;
+    lost = (sum - (next - taken)) + (wanted - taken);
+    sum = next;
+  };
+  Real drift = 0, done = 0;
+  for (const Real w : weights) {
+    drift += w / 2;
+    add(motion.position, motion.lostPosition, drift * dt * motion.velocity);
+    add(motion.velocity, motion.lostVelocity,
+        w * dt * acceleration(time + (done + w / 2) * dt, motion.position));
+    drift = w / 2;
+    done += w;
+  }
+  add(motion.position, motion.lostPosition, drift * dt * motion.velocity);
+}
+
 }  // namespace carom

@@ -19,8 +19,8 @@
 
 namespace carom {
 
-/// The three elliptic functions of one argument: sn^2 + cn^2 = 1, dn^2 + k^2 sn^2 = 1. \ingroup
-/// motion
+/// The three elliptic functions of one argument: sn^2 + cn^2 = 1, dn^2 + k^2 sn^2 = 1.
+/// \ingroup motion
 struct EllipticFunctions {
   Real sn = 0;  ///< the sine of the amplitude [1]
   Real cn = 1;  ///< the cosine of the amplitude [1]

@@ -207,27 +207,27 @@ TEST_CASE("N7: the splitting of order 4 and RK4 at 60 steps a second") {
   CHECK(std::abs(energyGain(r) / -1.5e-9 - 1) < 0.05);
 }
 
-TEST_CASE("the splitting keeps angular momentum, and its energy does not drift in 1e5 steps") {
+TEST_CASE("the splitting keeps angular momentum, and its energy does not drift in 1e6 steps") {
   const SplitRotor split(kMoments);
   RotorState two = kTumbling, four = kTumbling;
   const Vector3 L = angularMomentum(kMoments, kTumbling);
   Real early2 = 0, late2 = 0, early4 = 0, late4 = 0;
-  for (int i = 0; i < 100000; ++i) {
+  for (int i = 0; i < 1000000; ++i) {
     two = split.step2(two, 1.0 / 60);
     four = split.step4(four, 1.0 / 60);
-    if (i < 10000) {
+    if (i < 100000) {
       early2 = std::max(early2, std::abs(energyGain(two)));
       early4 = std::max(early4, std::abs(energyGain(four)));
-    } else if (i >= 90000) {
+    } else if (i >= 900000) {
       late2 = std::max(late2, std::abs(energyGain(two)));
       late4 = std::max(late4, std::abs(energyGain(four)));
     }
   }
   INFO("energy errors " << early2 << " " << late2 << " " << early4 << " " << late4);
   CHECK(late2 < 1.01 * early2);
-  CHECK(late4 < 1.01 * early4 + 1e-12);
-  CHECK((angularMomentum(kMoments, two) - L).norm() < 1e-11 * L.norm());
-  CHECK((angularMomentum(kMoments, four) - L).norm() < 1e-11 * L.norm());
+  CHECK(late4 < 1.1 * early4);
+  CHECK((angularMomentum(kMoments, two) - L).norm() < 1e-10 * L.norm());
+  CHECK((angularMomentum(kMoments, four) - L).norm() < 1e-10 * L.norm());
 }
 
 TEST_CASE("the splitting runs backwards to where it came from, and is exact for a round body") {
@@ -291,7 +291,7 @@ TEST_CASE("N7: the free rotor at any time") {
                    << (thousand.angularVelocity - vector(expected["w_1000"])).norm());
   CHECK(between(ten.q_WB, quaternion(expected["q_10"])) < 1e-13);
   CHECK((ten.angularVelocity - vector(expected["w_10"])).norm() < 1e-13);
-  CHECK((thousand.angularVelocity - vector(expected["w_1000"])).norm() < 5e-13);
+  CHECK((thousand.angularVelocity - vector(expected["w_1000"])).norm() < 1e-13);
 }
 
 TEST_CASE("N8: the tennis racket flips when it should") {
