@@ -45,6 +45,13 @@ inline Matrix3 anyTurn(Random& random, Real low, Real high) {
   return turn(random.direction(), angle);
 }
 
+/// A vector of any direction. The direction is drawn first, for the same reason.
+/// \param low, high bounds of its length
+inline Vector3 anyVector(Random& random, Real low, Real high) {
+  const Vector3 direction = random.direction();
+  return random.between(low, high) * direction;
+}
+
 /// Points that have been turned about the origin and then moved.
 inline Points moved(Points points, const Matrix3& R, const Vector3& by) {
   for (Vector3& p : points) p = R * p + by;

@@ -71,8 +71,8 @@ TEST_CASE("clouds") {
   Random random(seed());
   for (int n = 0; n < 20; ++n) {
     const Vector3 low = random.vector(10);
-    const Vector3 high =
-        low + Vector3(random.between(0.5, 5), random.between(0.5, 5), random.between(0.5, 5));
+    Vector3 high = low;
+    for (Real& x : high) x += random.between(0.5, 5);
     const Points points = cloudIn(random, low, high);
     GRADE(aabbOfPoints(points), boxOf(low, high), within(0, kCopied), given("points", points, "m"),
           unit("m"));

@@ -111,7 +111,8 @@ TEST_CASE("refuses") {
 PROBES() {
   Random random(303);
   for (int n = 0; n < 28; ++n) {
-    PROBE(aabbOverlap(wholeBox(random).real(), wholeBox(random).real()));
+    const WholeBox b = wholeBox(random), a = wholeBox(random);
+    PROBE(aabbOverlap(a.real(), b.real()));
   }
   // Touching on one axis, on two, and on none while apart elsewhere.
   const Aabb<3> a = box({0, 0, 0}, {2, 2, 2});

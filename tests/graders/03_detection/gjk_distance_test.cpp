@@ -146,7 +146,7 @@ PROBES() {
   Random random(310);
   for (int n = 0; n < 16; ++n) {
     const Points a = cloud(random, {0, 0, 0});
-    const Points b = cloud(random, random.between(2.5, 4) * random.direction());
+    const Points b = cloud(random, anyVector(random, 2.5, 4));
     const PointDistance d = gjkDistance(a, b);
     PROBE(Vector3(d.distance, d.distance > 0.2 ? d.pointA.x() : 0,
                   d.distance > 0.2 ? d.pointB.y() : 0));

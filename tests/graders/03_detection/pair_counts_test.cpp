@@ -32,7 +32,8 @@ Scene hall(Random& random, int n) {
   Scene scene;
   for (int k = 0; k < n; ++k) {
     const Vector3 low = random.vector(4);
-    const Vector3 size(random.between(1, 3), random.between(1, 3), random.between(1, 3));
+    Vector3 size;
+    for (int i = 2; i >= 0; --i) size[i] = random.between(1, 3);
     scene.push_back({low, low + size});
   }
   return scene;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "graders/solids.hpp"
 #include "grading/fields_detection.hpp"
 #include "grading/grade.hpp"
 
@@ -15,8 +16,6 @@ using namespace carom::grading;
 namespace {
 
 constexpr const char* kRounding = "a few roundings of numbers of this size";
-
-using Points = std::vector<Vector3>;
 
 // Any vector square to a direction.
 Vector3 acrossOf(Random& random, const Vector3& direction) {
@@ -85,6 +84,6 @@ PROBES() {
     const Vector3 away = random.vector(4);
     Points points;
     for (int k = 0; k < 5; ++k) points.push_back(away + random.vector());
-    PROBE(project(points, random.between(0.3, 3) * random.direction()));
+    PROBE(project(points, anyVector(random, 0.3, 3)));
   }
 }

@@ -42,7 +42,8 @@ Step anyStep(Random& random) {
   };
   shuffle(all);
   step.before.assign(all.begin(), all.begin() + 4);
-  step.after.assign(all.begin() + random.integer(1, 2), all.end() - random.integer(0, 2));
+  const auto end = all.end() - random.integer(0, 2);
+  step.after.assign(all.begin() + random.integer(1, 2), end);
   shuffle(step.after);
   for (const std::uint32_t id : step.before) step.impulses.push_back(impulseOf(id));
   for (const std::uint32_t id : step.after) {

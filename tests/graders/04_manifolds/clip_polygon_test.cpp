@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "carom/core/cross.hpp"
+#include "graders/solids.hpp"
 #include "grading/fields_manifold.hpp"
 #include "grading/grade.hpp"
 
@@ -17,8 +18,6 @@ using namespace carom::grading;
 namespace {
 
 constexpr const char* kRounding = "a few roundings of coordinates of this size";
-
-using Points = std::vector<Vector3>;
 
 // The same loop, begun at the corner that lies farthest in a direction that no plane here shares.
 Points fromOneCorner(Points loop) {
@@ -67,7 +66,7 @@ struct Cut {
 };
 
 Cut anyCut(Random& random) {
-  Cut cut{polygon(random, random.integer(3, 6)), random.between(0.3, 3) * random.direction(), 0};
+  Cut cut{polygon(random, random.integer(3, 6)), anyVector(random, 0.3, 3), 0};
   Vector3 middle = Vector3::Zero();
   for (const Vector3& p : cut.polygon) middle += p / static_cast<Real>(cut.polygon.size());
   cut.offset = cut.normal.dot(middle + 0.1 * random.vector());

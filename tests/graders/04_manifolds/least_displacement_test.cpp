@@ -50,7 +50,7 @@ void askBox(const Points& axes, const Vector3& low, const Vector3& high, const c
 
 Points anyAxes(Random& random, int count) {
   Points all;
-  for (int k = 0; k < count; ++k) all.push_back(random.between(0.2, 4) * random.direction());
+  for (int k = 0; k < count; ++k) all.push_back(anyVector(random, 0.2, 4));
   return all;
 }
 

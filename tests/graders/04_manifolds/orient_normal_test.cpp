@@ -98,8 +98,12 @@ PROBES() {
   Random random(402);
   for (int n = 0; n < 28; ++n) {
     const Vector3 unit = random.direction();
-    const Points a = between(random, unit, random.between(-6, 0), random.between(1, 6));
-    const Points b = between(random, unit, random.between(-6, 0), random.between(1, 6));
+    const auto body = [&] {
+      const Real high = random.between(1, 6), low = random.between(-6, 0);
+      return between(random, unit, low, high);
+    };
+    const Points a = body();
+    const Points b = body();
     PROBE(orientNormal(unit, a, b));
   }
   PROBE(orientNormal({0, -2, 0}, cube, cube));
