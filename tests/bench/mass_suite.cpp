@@ -246,8 +246,8 @@ struct Comparison {
   Json rows, ratios;
 };
 
-// What is claimed of the library's time, as ratios of medians: at most 4.5 gather passes; the peers at
-// least as slow.
+// What is claimed of the library's time, as ratios of medians: at most 4.5 gather passes; the peers
+// at least as slow.
 Json claims(std::size_t triangles, const std::map<std::string, Real>& ns) {
   const Real ours = ns.at(kFast);
   Json ratios{{"items", triangles}, {"carom_over_gather", ours / ns.at(kGather)}};

@@ -29,8 +29,8 @@ Judgement judgeHulls(const ConvexHull& a, const ConvexHull& b, const BodyPair& p
 /// boxes a thousandth of a radian later, for methods that remember.
 std::vector<BodyPair> boxPairs(std::size_t count, Real gap, std::uint64_t seed);
 
-/// Boxes of the same sizes, B upright on A, turned about the vertical and up to 0.3 m off the middle,
-/// with a given depth; in twos as well.
+/// Boxes of the same sizes, B upright on A, turned about the vertical and up to 0.3 m off the
+/// middle, with a given depth; in twos as well.
 std::vector<BodyPair> standingBoxes(std::size_t count, Real depth, std::uint64_t seed);
 
 /// Poses of two hulls with a signed gap near the given one, in twos as boxPairs().

@@ -34,7 +34,8 @@ bool separates(const Point& axis, std::span<const Point> a, std::span<const Poin
   return lowB > highA || lowA > highB;
 }
 
-// Separating axes as a beginner writes them for speed: not of length one, and the first gap ends it.
+// Separating axes as a beginner writes them for speed: not of length one, and the first gap ends
+// it.
 bool meetPlainly(std::span<const Vector2> a, std::span<const Vector2> b) {
   for (const auto& owner : {a, b}) {
     for (std::size_t i = 0; i < 3; ++i) {

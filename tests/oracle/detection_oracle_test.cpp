@@ -1,6 +1,7 @@
 // Detection before a judge: CGAL's exact predicates and exact quadratic programs on the same pairs.
 //
-// CAROM_ORACLE_PAIRS sets the number of pairs of each family; 200000 takes minutes, the default seconds.
+// CAROM_ORACLE_PAIRS sets the number of pairs of each family; 200000 takes minutes, the default
+// seconds.
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Gmpzf.h>
@@ -95,7 +96,8 @@ struct Family {
   Real leastShare;  ///< of apart and of not apart: a family of one kind only would prove little
 };
 
-// The nearest point to p of the line through q along d stays where it is; b's edge is nearly that line.
+// The nearest point to p of the line through q along d stays where it is; b's edge is nearly that
+// line.
 std::pair<Tetrahedron, Tetrahedron> nearlyParallelEdges(Random& random) {
   const Tetrahedron a = anyTetrahedron(random, 1);
   Tetrahedron b = anyTetrahedron(random, 1);
@@ -245,7 +247,8 @@ TEST_CASE("the least displacement separates, and a little less does not") {
         if (!hullA || !hullB) continue;
         const auto said = carom::separateHulls(*hullA, Pose(), *hullB, Pose());
         const Real band = 64 * kEpsilon * std::max(largest(a), largest(b));
-        // Among equally good axes a face wins (kAxisTie), so the way may be longer by a few of these.
+        // Among equally good axes a face wins (kAxisTie), so the way may be longer by a few of
+        // these.
         const Real tie = 4 * carom::kAxisTie * (hullA->boundingRadius + hullB->boundingRadius);
         if (said.separation > -4 * (band + tie)) continue;
         ++tried;

@@ -228,8 +228,8 @@ TEST_CASE("CGAL and the library find no meshes of the makers that cut themselves
 }
 
 TEST_CASE("CGAL and the library name the same pairs of triangles that cut or touch each other") {
-  // Surfaces whose vertices are pushed about. On a coarse grid corners fall on faces, edges on edges, and
-  // neighbours are folded flat; turned by thirds nothing is exactly flat any more.
+  // Surfaces whose vertices are pushed about. On a coarse grid corners fall on faces, edges on
+  // edges, and neighbours are folded flat; turned by thirds nothing is exactly flat any more.
   carom::Random random(77);
   int compared = 0;
   std::size_t pairs = 0;
