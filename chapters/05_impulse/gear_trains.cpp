@@ -1,8 +1,8 @@
 // How heavy is a whole train of gears to turn?
 //
-// Discs of 2 kg mesh with each other. A motor turns the first one with 1 N m: how fast does it speed
-// up? Beside the moment of inertia that it feels stands what the recipe for compounds would give,
-// and the energy after a second, counted gear by gear.
+// Discs of 2 kg mesh with each other. A motor turns the first one with 1 N m: how fast does it
+// speed up? Beside the moment of inertia that it feels stands what the recipe for compounds would
+// give, and the energy after a second, counted gear by gear.
 
 #include <iostream>
 #include <string>

@@ -52,8 +52,8 @@ Train anyTrain(Random& random) {
   return train;
 }
 
-// The first gear speeds up by 1 rad/s^2. From the last gear on: each tooth has to carry what its own
-// gear takes and what the next tooth asks for. The torque at the first axle is the answer.
+// The first gear speeds up by 1 rad/s^2. From the last gear on: each tooth has to carry what its
+// own gear takes and what the next tooth asks for. The torque at the first axle is the answer.
 Real torqueForUnitAcceleration(const Train& train) {
   const auto radius = [](const GearWheel& gear) { return gear.teeth / 10.0; };
   Real force = 0;  // at the tooth towards the next gear

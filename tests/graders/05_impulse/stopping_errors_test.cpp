@@ -1,5 +1,5 @@
-// Grader of 05.stopping_errors: the distance in whole steps is a sum that has a closed form, and the
-// error falls with the step.
+// Grader of 05.stopping_errors: the distance in whole steps is a sum that has a closed form, and
+// the error falls with the step.
 
 #include "stopping_errors.hpp"
 
