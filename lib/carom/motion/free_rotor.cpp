@@ -97,10 +97,13 @@ FreeRotor::FreeRotor(const Vector3& moments, const RotorState& anchor, Real time
   frame_ = hamiltonProduct(anchor_.q_WB, conjugate(poseAt(0).q));
 }
 
-// The coefficients of theta_4(z - i x) = 1 + sum of even_n cos 2nz + i odd_n sin 2nz, where
-// even_n +- odd_n = (-1)^n q^(n^2) e^(+-2nx) * 2 / 2. The nome q and e^x follow from the means,
-// without a logarithm: as the modulus goes to zero, q goes to its square over 16, and x to the
-// argument of a hyperbolic tangent, both doubling at each mean.
+// The coefficients of theta_4(z - i x) = 1 + sum of even_n cos 2nz + i odd_n sin 2nz, in which
+// even_n +- odd_n = 2 (-1)^n q^(n^2) e^(+-2nx). The nome q and e^x follow from the means, without a
+// logarithm: as the modulus goes to zero, q goes to its square over 16, and x to the argument of a
+// hyperbolic tangent, both doubling at each mean.
+//   k      modulus of the motion
+//   slope  sc^2 at the imaginary argument of the turn, I3 D1 / (I1 D3): this is what x stands for
+//   nu     slope times k^2, found without it: I3 (I1 - I2) / (I1 (I2 - I3))
 void FreeRotor::prepareTurn(Real k, Real nu, Real slope) {
   // With q e^(2x) = r both x and K' - x lead to r; the nearer one is found without loss.
   const bool fromZero = slope * k < 1;
