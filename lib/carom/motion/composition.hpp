@@ -83,9 +83,9 @@ struct CarefulMotion {
   V lostVelocity;  ///< what rounding has lost of the velocity; zero at the start [m/s]
 };
 
-/// The same step with every sum compensated: what rounding cuts off is added to the next term. After
-/// n steps the error of rounding is that of a few, where the plain step has n (and n^1.5 in the
-/// phase). It costs a few additions, which wait for nothing.
+/// The same step with every sum compensated: what rounding cuts off is added to the next term.
+/// After n steps the error of rounding is that of a few, where the plain step has n (and n^1.5 in
+/// the phase). It costs a few additions, which wait for nothing.
 /// \tparam V a number or a vector of fixed size
 /// \tparam Force called as acceleration(time, position), answers something that converts to V
 /// \param motion at the start; is changed to that at the end

@@ -173,7 +173,8 @@ TEST_CASE("a composed step works on plain numbers and small vectors") {
 }
 
 TEST_CASE("N6: a pendulum that nearly stands, at a thousand steps a second") {
-  for (const json& row : motionCase("N6")["rows"]) {
+  const json rows = motionCase("N6")["rows"];
+  for (const json& row : rows) {
     const State from = start({number(row[0])}, {0});
     const Real expected = number(row[2]);
     // From 3.14 the motion itself multiplies errors by some hundreds.
