@@ -52,11 +52,11 @@ Real energyOf(const std::vector<GearWheel>& train, Real firstRate) {
 
 int main() {
   carom::io::Table table;
-  table.column("teeth").column("felt [kg m^2]", carom::io::fixed(3));
-  table.column("as one rigid body", carom::io::fixed(3));
-  table.column("speeds up by [rad/s^2]", carom::io::fixed(4));
-  table.column("work in 1 s [J]", carom::io::fixed(4));
-  table.column("energy of the gears [J]", carom::io::fixed(4));
+  table.column("teeth").column("felt", carom::io::fixed(3));
+  table.column("rigid", carom::io::fixed(3));
+  table.column("rad/s^2", carom::io::fixed(4));
+  table.column("work [J]", carom::io::fixed(4));
+  table.column("energy [J]", carom::io::fixed(4));
   const std::vector<std::vector<int>> trains = {{10},         {10, 40},     {40, 10},
                                                 {10, 20, 40}, {10, 40, 10}, {10, 10, 10, 10}};
   for (const std::vector<int>& teeth : trains) {
@@ -69,5 +69,7 @@ int main() {
     table.row({name, felt, asOneBody(train), acceleration, kTorque * acceleration / 2,
                energyOf(train, acceleration)});
   }
-  std::cout << "A motor turns the first gear with 1 N m\n\n" << table;
+  std::cout << "A motor turns the first gear with 1 N m. Inertia that it feels, and as\n"
+               "if it were one rigid body [kg m^2]; work and energy after 1 s\n\n"
+            << table;
 }

@@ -24,12 +24,13 @@ constexpr Real kRestitution = 0.5;
 const PlanarBody kFloor;  // nothing can move it
 
 int main() {
-  std::cout << "A square falls on a rough floor with one corner, e = 0.5\n\n";
+  std::cout << "A square, turned by some degrees, falls on a rough floor with one\n"
+               "corner, e = 0.5. Impulses [N s], and how the corner moves then [m/s]\n\n";
   carom::io::Table table;
-  table.column("turned by [deg]").column("friction [N s]", carom::io::fixed(4));
-  table.column("normal [N s]", carom::io::fixed(4)).column("on ice", carom::io::fixed(4));
-  table.column("slip after [m/s]", carom::io::fixed(3));
-  table.column("parting after", carom::io::fixed(3)).column("asked for", carom::io::fixed(3));
+  table.column("turned").column("friction", carom::io::fixed(4));
+  table.column("normal", carom::io::fixed(4)).column("on ice", carom::io::fixed(4));
+  table.column("slip", carom::io::fixed(3));
+  table.column("parting", carom::io::fixed(3)).column("asked for", carom::io::fixed(3));
   for (int degrees = 0; degrees <= 90; degrees += 15) {
     const auto [s, c] = carom::sineCosine(degrees * std::numbers::pi / 180);
     // The corner that lies at (-1, -1) before the square is turned.
