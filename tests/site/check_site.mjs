@@ -16,7 +16,7 @@ import { Browser } from './browser.mjs';
 import { countColors, readPng } from './png.mjs';
 
 const kTabs = 3;
-const kPageSeconds = 30;
+const kPageSeconds = 120;  // a chapter with many players, beside two others on a machine without a graphics card
 const kPieceHeight = 1600;  // pixels: tall pages are pictured in pieces
 const kSmallScreen = 390;  // pixels: a telephone held upright
 
