@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "carom/core/elementary.hpp"
+#include "carom/rotation/axis_angle_to_quaternion.hpp"
 #include "carom_io/recorder.hpp"
 #include "carom_io/table.hpp"
 #include "planar_world.hpp"
@@ -46,11 +46,9 @@ Real energy(const PlanarWorld& world) {
 // One ball hits another, 0.7 of a diameter beside its middle.
 void oblique() {
   std::cout << "A ball at 1 m/s hits another, 0.7 diameters off the line of centres\n\n";
-  //! [oblique]
   PlanarWorld world;
   world.bodies = {ball({0, 0.7 * 2 * kRadius}, {1, 0}, 1), ball({0.5, 0}, {0, 0}, 1)};
   carom::step(world, 1);
-  //! [oblique]
   const Vector2 cue = world.bodies[0].motion.velocity.linear;
   const Vector2 other = world.bodies[1].motion.velocity.linear;
   carom::io::Table table;
@@ -62,7 +60,6 @@ void oblique() {
   std::cout << table;
 }
 
-//! [rack]
 // Fifteen balls in a triangle, touching, and the cue ball.
 PlanarWorld rack(Real e) {
   PlanarWorld world;
@@ -77,7 +74,6 @@ PlanarWorld rack(Real e) {
       {{1, 0}, 0, 1, 0}, {{-1, 0}, -kLength, 1, 0}, {{0, 1}, 0, 1, 0}, {{0, -1}, -kWidth, 1, 0}};
   return world;
 }
-//! [rack]
 
 void record(carom::io::Recording& recording, carom::io::Table& table, const std::string& name,
             Real e) {
@@ -87,8 +83,8 @@ void record(carom::io::Recording& recording, carom::io::Table& table, const std:
   for (int frame = 0; frame <= 240; ++frame) {
     carom::io::Frame moment{.time = world.time};
     for (const PlanarWorldBody& body : world.bodies) {
-      const auto [s, c] = carom::sineCosine(body.angle / 2);
-      moment.poses.push_back({Vector3(body.position.x(), body.position.y(), 0), {c, 0, 0, s}});
+      moment.poses.push_back({Vector3(body.position.x(), body.position.y(), 0),
+                              carom::axisAngleToQuaternion(Vector3::UnitZ(), body.angle)});
     }
     moment.channels = {energy(world)};
     recording.addFrame(moment);

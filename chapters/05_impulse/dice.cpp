@@ -25,7 +25,6 @@ constexpr Real kDensity = 1;       // [kg/m^3]
 constexpr Real kStep = 1.0 / 240;  // [s]
 constexpr int kSteps = 4 * 240;
 
-//! [throw]
 SpatialWorld thrown() {
   SpatialWorld world;
   SpatialWorldBody table;  // cannot be moved
@@ -52,7 +51,6 @@ SpatialWorld thrown() {
   world.bodies[4].rollingArm = 0.01;
   return world;
 }
-//! [throw]
 
 Real energyOf(const SpatialWorldBody& body) {
   const auto& [inverseMass, inverseInertia, R_WB, velocity] = body.motion;

@@ -32,7 +32,6 @@ Vector2 velocityAt(const PlanarBody& body, const PlanarContact& contact) {
   return carom::planarPointVelocity(body.velocity, contact.armB);
 }
 
-//! [apart]
 // Section 6.5 of the source: the two impulses are reckoned and applied
 // apart. Here with a friction that would be enough to stop the slip.
 Vector2 apart(const PlanarBody& body, const PlanarContact& contact, Real e) {
@@ -42,7 +41,6 @@ Vector2 apart(const PlanarBody& body, const PlanarContact& contact, Real e) {
   const Vector2 friction(-left.x() / K(0, 0), 0);
   return normal + friction;
 }
-//! [apart]
 
 void corner() {
   std::cout << "A square of 1 kg and 2 m hits the floor with a corner, e = 0.5, rough floor\n\n";
@@ -82,7 +80,6 @@ int main(int argc, char** argv) {
   std::vector<Real> speeds, newton, passive;
   for (int i = -20; i <= 20; ++i) {
     const PlanarBody rod{carom::planarBodyMass(1, 1.0 / 3), {{i / 10.0, -1}, 0}};
-    //! [energy]
     const carom::Matrix2 K = carom::contactMatrix(kFloor.mass, rod.mass, contact);
     const Vector2 u = velocityAt(rod, contact);
     const auto energyAfter = [&](const Vector2& impulse) {
@@ -92,7 +89,6 @@ int main(int argc, char** argv) {
     speeds.push_back(u.x());
     newton.push_back(energyAfter(carom::coulombImpact(kFloor, rod, contact, law).impulse));
     passive.push_back(energyAfter(carom::passiveImpact(kFloor, rod, contact, law).impulse));
-    //! [energy]
     if (i % 5 == 0) table.row({speeds.back(), newton.back(), passive.back()});
   }
   std::cout << table;

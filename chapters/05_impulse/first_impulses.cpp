@@ -7,6 +7,7 @@
 #include <iostream>
 #include <string>
 
+#include "carom/impulse/change_velocities.hpp"
 #include "carom/impulse/combine_restitution.hpp"
 #include "carom/impulse/impulse_2d.hpp"
 #include "carom/impulse/planar_motion.hpp"
@@ -35,17 +36,6 @@ Real energy(const PlanarBody& body) {
   return (body.velocity.linear.squaredNorm() / body.mass.inverseMass + turning) / 2;
 }
 
-//! [apply]
-// What B gets, A loses; an arm turns.
-void apply(Real j, PlanarBody& a, PlanarBody& b, const PlanarContact& contact) {
-  const Vector2 impulse = j * contact.normal;
-  a.velocity.linear -= a.mass.inverseMass * impulse;
-  b.velocity.linear += b.mass.inverseMass * impulse;
-  a.velocity.angular -= a.mass.inverseInertia * carom::planarCross(contact.armA, impulse);
-  b.velocity.angular += b.mass.inverseInertia * carom::planarCross(contact.armB, impulse);
-}
-//! [apply]
-
 //! [source29]
 // Equation 29 adds the impulse to B as (28) adds it to A.
 void applyAsInSource(Real j, PlanarBody& a, PlanarBody& b) {
@@ -69,7 +59,11 @@ void headOn() {
     for (const bool source : {false, true}) {
       PlanarBody after = a, other = b;
       // The source's j is that of A, whose normal points from B to A: the opposite of ours.
-      source ? applyAsInSource(-j, after, other) : apply(j, after, other, contact);
+      if (source) {
+        applyAsInSource(-j, after, other);
+      } else {
+        changeVelocities(after, other, contact, j * kNormal);
+      }
       table.row({e, source ? "the source (29)" : "the library", after.velocity.linear.x(),
                  other.velocity.linear.x(), momentum(after, other), energy(after) + energy(other)});
     }
@@ -101,7 +95,7 @@ void againstWall() {
     const PlanarContact contact{kNormal, Vector2::Zero(), {-1, 0}};
     const Real j =
         source ? 2 / sourceDenominator(disc, contact) : carom::impulse2d(wall, disc, contact, 1);
-    apply(j, still, disc, contact);
+    changeVelocities(still, disc, contact, j * kNormal);
     table.row({"disc, head-on", source ? "the source (31)" : "the library", j,
                disc.velocity.linear.x(), disc.velocity.angular, energy(disc), 0.0});
   }
@@ -109,13 +103,11 @@ void againstWall() {
   for (const bool source : {false, true}) {
     PlanarBody ball = body(1, 1, 5), rod = body(3, 1, 0);
     const PlanarContact contact{kNormal, Vector2::Zero(), {0, -0.8}};
-    //! [source31use]
     const Real j = source ? 10 / (ball.mass.inverseMass + sourceDenominator(rod, contact))
                           : carom::impulse2d(ball, rod, contact, 1);
-    apply(j, ball, rod, contact);
+    changeVelocities(ball, rod, contact, j * kNormal);
     // Equation 30: the turning is r . j n, zero for this hit.
     if (source) rod.velocity.angular = contact.armB.dot(j * kNormal) * rod.mass.inverseInertia;
-    //! [source31use]
     // About the middle of the rod: the ball flies past it at 0.8 m.
     const Real angularMomentum = 0.8 * ball.velocity.linear.x() + rod.velocity.angular;
     table.row({"rod, off-centre", source ? "the source (31)" : "the library", j,

@@ -12,6 +12,7 @@
 
 #include "carom/core/elementary.hpp"
 #include "carom/impulse/gears.hpp"
+#include "carom/rotation/axis_angle_to_quaternion.hpp"
 #include "carom_io/recorder.hpp"
 #include "carom_io/table.hpp"
 
@@ -52,18 +53,15 @@ int main(int argc, char** argv) {
   // Turned by half a tooth, so that teeth stand opposite gaps.
   Real angle1 = 0, angle2 = std::numbers::pi / kTeeth2;
   for (int i = 0; i <= kSteps; ++i) {
-    const auto [s1, c1] = carom::sineCosine(angle1 / 2);
-    const auto [s2, c2] = carom::sineCosine(angle2 / 2);
-    recording.addFrame(
-        {i * kTime / kSteps,
-         {{Vector3::Zero(), {c1, 0, 0, s1}}, {Vector3(kRadius1 + kRadius2, 0, 0), {c2, 0, 0, s2}}},
-         {small.angularVelocity},
-         {}});
+    recording.addFrame({i * kTime / kSteps,
+                        {{Vector3::Zero(), carom::axisAngleToQuaternion(Vector3::UnitZ(), angle1)},
+                         {Vector3(kRadius1 + kRadius2, 0, 0),
+                          carom::axisAngleToQuaternion(Vector3::UnitZ(), angle2)}},
+                        {small.angularVelocity},
+                        {}});
     if (i == kSteps) break;
-    //! [step]
     small.angularVelocity += kTime / kSteps * kTorque / small.inertia;
     carom::meshGears(small, large);  // the teeth make the rims equal
-    //! [step]
     angle1 += kTime / kSteps * small.angularVelocity;
     angle2 += kTime / kSteps * large.angularVelocity;
   }

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "carom/core/elementary.hpp"
+#include "carom/impulse/change_velocities.hpp"
 #include "carom/impulse/impulse_3d.hpp"
 #include "carom/impulse/linear_complementarity.hpp"
 #include "carom/impulse/simultaneous_impacts.hpp"
@@ -49,25 +50,22 @@ std::vector<BodyContact> contactsOf(const Balls& balls, Real restitution) {
   return contacts;
 }
 
-void push(Balls& balls, const BodyContact& at, Real j) {
-  MovingBody& a = balls[static_cast<std::size_t>(at.bodyA)];
-  MovingBody& b = balls[static_cast<std::size_t>(at.bodyB)];
-  a.velocity.linear -= j * a.mass.inverseMass * at.contact.normal;
-  b.velocity.linear += j * b.mass.inverseMass * at.contact.normal;
+MovingBody& at(Balls& balls, int i) {
+  return balls[static_cast<std::size_t>(i)];
 }
 
-//! [once]
+void push(Balls& balls, const BodyContact& c, Real j) {
+  changeVelocities(at(balls, c.bodyA), at(balls, c.bodyB), c.contact, j * c.contact.normal);
+}
+
 // Each contact once, in the order of the list.
 void once(Balls& balls, const std::vector<BodyContact>& contacts) {
-  for (const BodyContact& at : contacts) {
-    const MovingBody& a = balls[static_cast<std::size_t>(at.bodyA)];
-    const MovingBody& b = balls[static_cast<std::size_t>(at.bodyB)];
-    push(balls, at, carom::impulse3d(a, b, at.contact, at.law.restitution));
+  for (const BodyContact& c : contacts) {
+    const MovingBody &a = at(balls, c.bodyA), &b = at(balls, c.bodyB);
+    push(balls, c, carom::impulse3d(a, b, c.contact, c.law.restitution));
   }
 }
-//! [once]
 
-//! [together]
 // All at once: impulses after which every contact parts at e times the
 // speed of its approach. Every impulse changes three balls' worth of
 // contacts, so they are unknowns of one system, M z = -(1 + e) u.
@@ -76,14 +74,11 @@ void together(Balls& balls, const std::vector<BodyContact>& contacts) {
   carom::DenseMatrix M(count, count);
   std::vector<Real> q;
   for (int i = 0; i < count; ++i) {
-    const auto mass = [&](int ball) {
-      return balls[static_cast<std::size_t>(ball)].mass.inverseMass;
-    };
+    const auto mass = [&](int ball) { return at(balls, ball).mass.inverseMass; };
     M(i, i) = mass(i) + mass(i + 1);
     if (i > 0) M(i, i - 1) = -mass(i);
     if (i + 1 < count) M(i, i + 1) = -mass(i + 1);
-    const Real u = balls[static_cast<std::size_t>(i + 1)].velocity.linear.x() -
-                   balls[static_cast<std::size_t>(i)].velocity.linear.x();
+    const Real u = at(balls, i + 1).velocity.linear.x() - at(balls, i).velocity.linear.x();
     q.push_back((1 + contacts[static_cast<std::size_t>(i)].law.restitution) * u);
   }
   const auto found = carom::solveComplementarity(M, q);
@@ -91,7 +86,6 @@ void together(Balls& balls, const std::vector<BodyContact>& contacts) {
     push(balls, contacts[static_cast<std::size_t>(i)], found.z[static_cast<std::size_t>(i)]);
   }
 }
-//! [together]
 
 //! [rounds]
 // Only what approaches, again and again until nothing does.

@@ -12,6 +12,7 @@
 
 #include "carom/core/elementary.hpp"
 #include "carom/impulse/planar_motion.hpp"
+#include "carom/rotation/axis_angle_to_quaternion.hpp"
 #include "carom_io/recorder.hpp"
 #include "carom_io/table.hpp"
 
@@ -54,11 +55,9 @@ Part together(const Part& p, const Part& q) {
 }
 //! [compound]
 
-//! [hit]
 PlanarVelocity hit(const Part& body, const Vector2& arm) {
   return {kBlow / body.mass, carom::planarCross(arm, kBlow) / body.inertia};
 }
-//! [hit]
 
 std::vector<Vector2> outline() {
   std::vector<Vector2> corners = {Vector2::Zero()};
@@ -81,13 +80,11 @@ int main(int argc, char** argv) {
     PlanarVelocity after;
     Vector2 center;  // about which he then turns [m]
   };
-  //! [ways]
   const std::vector<Way> ways = {
       {"one body", hit(whole, kTop - whole.center), whole.center},
       {"arm from the half's middle", hit(whole, kTop - upper.center), whole.center},
       {"moments without Steiner", hit(noSteiner, kTop - whole.center), whole.center},
       {"the upper half alone", hit(upper, kTop - upper.center), upper.center}};
-  //! [ways]
 
   carom::io::Recording recording("Pac-Man is hit on the head",
                                  "Pac-Man flies to the right and turns clockwise after a blow at "
@@ -116,9 +113,11 @@ int main(int argc, char** argv) {
       const auto [s, c] = carom::sineCosine(after.angular * t);
       const Vector2 arm_W(c * center.x() - s * center.y(), s * center.x() + c * center.y());
       const Vector2 middle = center + t * after.linear - arm_W;
-      const auto [hs, hc] = carom::sineCosine(after.angular * t / 2);
-      recording.addFrame(
-          {t, {{Vector3(middle.x(), middle.y(), 0), {hc, 0, 0, hs}}}, {after.angular * t}, {}});
+      recording.addFrame({t,
+                          {{Vector3(middle.x(), middle.y(), 0),
+                            carom::axisAngleToQuaternion(Vector3::UnitZ(), after.angular * t)}},
+                          {after.angular * t},
+                          {}});
     }
   }
   std::cout

@@ -24,13 +24,11 @@ constexpr Real kStep = 1.0 / 240;
 const carom::AirDrag kBody{.coefficient = 1.0, .area = 0.7};
 const carom::AirDrag kParachute{.coefficient = 1.4, .area = 44};
 
-//! [source]
 // Equation 34 as a force along the vertical: a square has no sign, so it
 // always points up.
 Real dragOfSource(Real v, const carom::AirDrag& air) {
   return air.density * air.coefficient * air.area * v * v / 2;
 }
-//! [source]
 
 void thrownUp() {
   std::cout << "A ball of 0.1 kg and 0.01 m^2 is thrown up at 20 m/s\n\n";
@@ -43,13 +41,11 @@ void thrownUp() {
     int i = 0;
     for (; z >= 0 && i < 10 / kStep; ++i) {
       if (i * kStep == 1) afterSecond = v;
-      //! [use]
       Real force = 0;
       if (rule == "equation 34, upwards") force = dragOfSource(v, air);
       if (rule == "the library") force = carom::dragForce({0, 0, v}, air).z();
       v += kStep * (force / 0.1 - kGravity);
       z += kStep * v;
-      //! [use]
       highest = std::max(highest, z);
       if (v > 1000) break;  // out of the atmosphere
     }
@@ -79,14 +75,12 @@ int main(int argc, char** argv) {
   Real fastest = 0, hardest = 0, time = 0;
   for (int i = 0; x.z() > 0; ++i) {
     time = i * kStep;
-    //! [step]
     // It unfolds within four seconds; at once it would tear.
     const Real open = std::clamp((time - 10) / 4, 0.0, 1.0);
     carom::AirDrag air = open > 0 ? kParachute : kBody;
     air.area = kBody.area + open * open * (kParachute.area - kBody.area);
     const Vector3 drag = carom::dragForce(v, air);
     const Vector3 acceleration = drag / kMass - kGravity * Vector3::UnitZ();
-    //! [step]
     if (i % 60 == 0) {
       recording.addFrame({time, {{x, {}}}, {-v.z()}, {{x, drag}}});
       times.push_back(time);

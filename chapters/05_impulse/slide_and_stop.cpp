@@ -40,7 +40,6 @@ Vector3 frictionOfSource(const Vector3& v) {
 }
 //! [source]
 
-//! [sourceunit]
 // The same with a direction of length one.
 Vector3 frictionOfSourceUnit(const Vector3& v) {
   const Real speed = v.norm();
@@ -49,16 +48,13 @@ Vector3 frictionOfSourceUnit(const Vector3& v) {
   const Real j = -(1 + kFriction) * v.dot(f);
   return j * f;
 }
-//! [sourceunit]
 
-//! [unclamped]
 // Coulomb's force while it slides, without asking whether it would stop.
 Vector3 frictionUnclamped(const Vector3& v) {
   const Real speed = v.norm();
   if (speed == 0) return Vector3::Zero();
   return -kFriction * kGravity * kStep * v / speed;
 }
-//! [unclamped]
 
 //! [coulomb]
 // The library's: what it takes to stop, but no more than the cone allows.
@@ -101,10 +97,8 @@ int main(int argc, char** argv) {
                gone ? carom::io::Cell("-") : carom::io::Cell(rests ? 0.0 : block.v.x())});
     if (name.starts_with("Coulomb")) plot.curve(name, times, speeds, {.marks = true});
   }
-  //! [exact]
   const Real time = kSpeed / (kFriction * kGravity);
   const Real distance = kSpeed * kSpeed / (2 * kFriction * kGravity);
-  //! [exact]
   plot.curve("exact", {0, time, 2}, {kSpeed, 0, 0}, {.dashed = true, .width = 1});
   table.row({"exact", kSpeed - kFriction * kGravity * kStep, distance, 0.0});
   std::cout

@@ -4,17 +4,16 @@
 // slip of its lowest point; when nothing slips any more, it rolls. Steps of 1/60 s with the
 // library's friction, beside the exact answer for a solid ball, a hollow one and a hoop.
 
-#include <cmath>
 #include <filesystem>
 #include <iostream>
 #include <string>
 #include <vector>
 
 #include "carom/core/cross.hpp"
-#include "carom/core/elementary.hpp"
 #include "carom/impulse/friction_impulse.hpp"
 #include "carom/impulse/point_velocity.hpp"
-#include "carom/rotation/quaternion.hpp"
+#include "carom/impulse/roll_ball.hpp"
+#include "carom/rotation/integrate_orientation.hpp"
 #include "carom_io/plot.hpp"
 #include "carom_io/recorder.hpp"
 #include "carom_io/table.hpp"
@@ -55,38 +54,6 @@ void step(Rolling& ball, Real k) {
 }
 //! [step]
 
-struct Exact {
-  Real time;         // when it begins to roll [s]
-  Vector3 velocity;  // from then on [m/s]
-  Vector3 place;     // where that is [m]
-};
-
-//! [exact]
-// The slip keeps its direction and falls at (1 + 1/k) mu g, so the time
-// is known. Until then the ball flies a parabola, flat on the lane.
-Exact exact(const Throw& thrown) {
-  const Vector3 rim = carom::cross(thrown.rimSpeed, -kUp);
-  const Vector3 slip = thrown.velocity + rim;
-  const Real g = kFriction * kGravity;
-  const Real time = slip.norm() / ((1 + 1 / thrown.k) * g);
-  const Vector3 brake = -g / slip.norm() * slip;
-  const Vector3 place = time * thrown.velocity + time * time / 2 * brake;
-  return {time, thrown.velocity + time * brake, place};
-}
-//! [exact]
-
-// Turns an orientation by an angular velocity over one step.
-carom::Quaternion turned(const carom::Quaternion& q, const Vector3& angularVelocity) {
-  const Real rate = angularVelocity.norm();
-  if (rate == 0) return q;
-  const auto [s, c] = carom::sineCosine(rate * kStep / 2);
-  const Vector3 v = s / rate * angularVelocity;
-  return {c * q.w - v.x() * q.x - v.y() * q.y - v.z() * q.z,
-          c * q.x + v.x() * q.w + v.y() * q.z - v.z() * q.y,
-          c * q.y - v.x() * q.z + v.y() * q.w + v.z() * q.x,
-          c * q.z + v.x() * q.y - v.y() * q.x + v.z() * q.w};
-}
-
 int main(int argc, char** argv) {
   const std::filesystem::path folder = argc > 1 ? argv[1] : ".";
   const std::vector<Throw> throws = {{"solid ball", {7, 0, 0}, {0, 0, 0}, 0.4},
@@ -113,9 +80,16 @@ int main(int argc, char** argv) {
   carom::io::Plot plot("Seen from above: a ball with side spin");
   plot.xAxis("x [m]").yAxis("y [m]").equalAspect();
   for (const Throw& thrown : throws) {
-    const Exact truth = exact(thrown);
+    //! [exact]
+    // When the slip has gone, and where and how fast the ball is then.
+    const Vector3 spin = thrown.rimSpeed / kRadius;
+    const carom::TableLaw law{kRadius, kFriction, kGravity, thrown.k};
+    const carom::TableBall start{{0, 0}, thrown.velocity.head<2>(), spin};
+    const Real time = carom::timeToRoll(start, law);
+    const carom::TableBall truth = carom::rollBall(start, law, time);
+    //! [exact]
     Rolling ball;
-    ball.motion = {thrown.velocity, thrown.rimSpeed / kRadius};
+    ball.motion = {thrown.velocity, spin};
     carom::Quaternion q{1, 0, 0, 0};
     recording.beginCase(thrown.name);
     std::vector<Real> x, y;
@@ -123,19 +97,18 @@ int main(int argc, char** argv) {
     for (int i = 0; i <= 300; ++i) {
       const Real slip = carom::pointVelocity(ball.motion, -kRadius * kUp).norm();
       if (rollsAt < 0 && slip < 1e-9) rollsAt = i * kStep, placeThen = ball.x.x();
-      recording.addFrame(
-          {i * kStep, {{ball.x, {q.w, q.x, q.y, q.z}}}, {ball.motion.linear.norm(), slip}, {}});
+      recording.addFrame({i * kStep, {{ball.x, q}}, {ball.motion.linear.norm(), slip}, {}});
       x.push_back(ball.x.x());
       y.push_back(ball.x.y());
       step(ball, thrown.k);
-      q = turned(q, ball.motion.angular);
+      q = carom::integrateOrientation(q, ball.motion.angular, kStep);
     }
     if (thrown.name == "side spin") {
       plot.curve("path", x, y);
-      plot.points("begins to roll", {truth.place.x()}, {truth.place.y()});
+      plot.points("begins to roll", {truth.position.x()}, {truth.position.y()});
     }
-    table.row({thrown.name, truth.time, rollsAt, truth.velocity.norm(), ball.motion.linear.norm(),
-               truth.place.x(), placeThen});
+    table.row({thrown.name, time, rollsAt, truth.velocity.norm(), ball.motion.linear.norm(),
+               truth.position.x(), placeThen});
   }
   std::cout << table;
   plot.writeSvg(folder / "slide_to_roll.svg");

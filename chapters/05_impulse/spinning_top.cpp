@@ -9,10 +9,10 @@
 #include <string>
 #include <vector>
 
-#include "carom/core/elementary.hpp"
 #include "carom/impulse/friction_impulse.hpp"
 #include "carom/impulse/point_velocity.hpp"
 #include "carom/impulse/spinning_friction.hpp"
+#include "carom/rotation/axis_angle_to_quaternion.hpp"
 #include "carom_io/plot.hpp"
 #include "carom_io/recorder.hpp"
 #include "carom_io/table.hpp"
@@ -26,7 +26,6 @@ constexpr Real kStart = 50;                               // [rad/s]
 constexpr Real kStep = 1.0 / 60;                          // [s]
 constexpr int kSteps = 150;
 
-//! [point]
 // One contact point, on the axis: it does not move, so there is no slip,
 // and no friction.
 Real spinAfterPoint(Real spin) {
@@ -37,15 +36,12 @@ Real spinAfterPoint(Real spin) {
       carom::frictionImpulse(slip, Vector3::UnitZ(), kMass * kGravity * kStep, kFriction, kMass);
   return spin + (arm.x() * impulse.y() - arm.y() * impulse.x()) / kInertia;
 }
-//! [point]
 
-//! [patch]
 // A face that presses evenly: 2/3 mu N R.
 Real spinAfterPatch(Real spin) {
   const Real pressed = kMass * kGravity * kStep;  // [N s]
   return spin + carom::spinningFriction({spin, kInertia, pressed, kFriction, kRadius}) / kInertia;
 }
-//! [patch]
 
 //! [rings]
 // The same torque by hand: many rings, each with its share of the weight.
@@ -88,8 +84,8 @@ int main(int argc, char** argv) {
     Real spin = kStart, angle = 0, stops = -1;
     std::vector<Real> times, spins;
     for (int i = 0; i <= kSteps; ++i) {
-      const auto [s, c] = carom::sineCosine(angle / 2);
-      const carom::io::Pose pose{Vector3(0, 0, 0.016), {c, 0, 0, s}};
+      const carom::io::Pose pose{Vector3(0, 0, 0.016),
+                                 carom::axisAngleToQuaternion(Vector3::UnitZ(), angle)};
       recording.addFrame({i * kStep, {pose, pose}, {spin}, {}});
       times.push_back(i * kStep);
       spins.push_back(spin);
@@ -102,9 +98,7 @@ int main(int argc, char** argv) {
     table.row({name, stops < 0 ? carom::io::Cell("never") : carom::io::Cell(stops),
                angle / 6.283185307179586, spin});
   }
-  //! [exact]
   const Real time = 3 * kRadius * kStart / (4 * kFriction * kGravity);
-  //! [exact]
   table.row({"exact, face", time, kStart * time / 2 / 6.283185307179586, 0.0});
   std::cout << table;
   plot.writeSvg(folder / "spinning_top.svg");

@@ -5,7 +5,6 @@
 
 namespace carom {
 
-//! [measure]
 std::vector<StoppingError> stoppingErrors(Real speed, Real friction, std::span<const Real> steps) {
   requirePositive(speed, "speed");
   requirePositive(friction, "friction");
@@ -24,6 +23,5 @@ std::vector<StoppingError> stoppingErrors(Real speed, Real friction, std::span<c
   }
   return table;
 }
-//! [measure]
 
 }  // namespace carom
