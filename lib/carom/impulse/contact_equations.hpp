@@ -19,6 +19,7 @@
 #include "carom/core/real.hpp"
 #include "carom/impulse/body_motion.hpp"
 #include "carom/impulse/change_velocities.hpp"
+#include "carom/impulse/impact_law.hpp"
 
 namespace carom {
 
@@ -139,6 +140,22 @@ inline PlanarContactEquations contactEquations(const PlanarBody& a, const Planar
   eq.coupling = across / eq.inverseMass;
   eq.tangential = masses + IA * tA * tA + IB * tB * tB - eq.coupling * across;
   return eq;
+}
+
+/// contactEquations() of what an impact law is given, looked at first.
+/// \tparam Body MovingBody or PlanarBody \tparam AnyContact Contact or PlanarContact
+/// \param a body A \param b body B \param contact where they touch \param law the material
+/// \return matrix and velocities along normal and tangents
+/// \throws InvalidInput if a body, the contact or the law is not usable
+/// \ingroup impulse
+template <class Body, class AnyContact>
+auto checkedEquations(const Body& a, const Body& b, const AnyContact& contact,
+                      const ImpactLaw& law) {
+  requireUsable(a, "a");
+  requireUsable(b, "b");
+  requireUsable(contact);
+  requireUsable(law);
+  return contactEquations(a, b, contact);
 }
 
 }  // namespace carom

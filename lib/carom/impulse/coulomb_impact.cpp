@@ -49,11 +49,7 @@ Vector2 slidingFriction(const ContactEquations& eq, const Vector2& w, Real j0, R
 
 Impact coulombImpact(const MovingBody& a, const MovingBody& b, const Contact& contact,
                      const ImpactLaw& law) {
-  requireUsable(a, "a");
-  requireUsable(b, "b");
-  requireUsable(contact);
-  requireUsable(law);
-  const ContactEquations eq = contactEquations(a, b, contact);
+  const ContactEquations eq = checkedEquations(a, b, contact, law);
   if (eq.parting >= 0 || !(eq.inverseMass > 0)) return {};
 
   // Without friction: the normal impulse, and the slip that is left.
@@ -77,11 +73,7 @@ Impact coulombImpact(const MovingBody& a, const MovingBody& b, const Contact& co
 
 PlanarImpact coulombImpact(const PlanarBody& a, const PlanarBody& b, const PlanarContact& contact,
                            const ImpactLaw& law) {
-  requireUsable(a, "a");
-  requireUsable(b, "b");
-  requireUsable(contact);
-  requireUsable(law);
-  const PlanarContactEquations eq = contactEquations(a, b, contact);
+  const PlanarContactEquations eq = checkedEquations(a, b, contact, law);
   if (eq.parting >= 0 || !(eq.inverseMass > 0)) return {};
 
   const Real j0 = -(1 + law.restitution) * eq.parting / eq.inverseMass;

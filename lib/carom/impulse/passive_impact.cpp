@@ -21,11 +21,7 @@ Real shareOfStick(Real wanted, Real normal, Real across, Real along, Real fricti
 
 Impact passiveImpact(const MovingBody& a, const MovingBody& b, const Contact& contact,
                      const ImpactLaw& law) {
-  requireUsable(a, "a");
-  requireUsable(b, "b");
-  requireUsable(contact);
-  requireUsable(law);
-  const ContactEquations eq = contactEquations(a, b, contact);
+  const ContactEquations eq = checkedEquations(a, b, contact, law);
   if (eq.parting >= 0 || !(eq.inverseMass > 0)) return {};
 
   // P_I, and P_II - P_I: the friction that stops the slip which P_I leaves, and the normal impulse
@@ -45,11 +41,7 @@ Impact passiveImpact(const MovingBody& a, const MovingBody& b, const Contact& co
 
 PlanarImpact passiveImpact(const PlanarBody& a, const PlanarBody& b, const PlanarContact& contact,
                            const ImpactLaw& law) {
-  requireUsable(a, "a");
-  requireUsable(b, "b");
-  requireUsable(contact);
-  requireUsable(law);
-  const PlanarContactEquations eq = contactEquations(a, b, contact);
+  const PlanarContactEquations eq = checkedEquations(a, b, contact, law);
   if (eq.parting >= 0 || !(eq.inverseMass > 0)) return {};
 
   const Real plastic = -eq.parting / eq.inverseMass;
