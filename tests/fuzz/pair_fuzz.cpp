@@ -9,7 +9,6 @@
 #include <sstream>
 #include <stdexcept>
 #include <string>
-#include <type_traits>
 #include <vector>
 
 #include "carom/core/errors.hpp"
@@ -137,40 +136,30 @@ bool roundOf(const Shape& s) {
 
 // Half of the smallest width of a body, or the half of that where it is cheaper to know: what is round all
 // over has none that matters.
-Real thicknessOf(const ConvexShape& s) {
-  if (const auto* box = std::get_if<Box>(&s)) return box->halfExtents.minCoeff();
-  if (const auto* cylinder = std::get_if<Cylinder>(&s)) {
-    return std::min(cylinder->radius, cylinder->halfHeight);
+struct Thickness {
+  Real operator()(const Box& s) const {
+    return s.halfExtents.minCoeff();
   }
-  if (const auto* hull = std::get_if<ConvexHull>(&s)) {
-    Real least = hull->boundingRadius;
-    for (const HullFace& face : hull->faces) {
-      least = std::min(least, face.offset - face.normal.dot(hull->centroid));
+  Real operator()(const Cylinder& s) const {
+    return std::min(s.radius, s.halfHeight);
+  }
+  Real operator()(const ConvexHull& s) const {
+    Real least = s.boundingRadius;
+    for (const HullFace& face : s.faces) {
+      least = std::min(least, face.offset - face.normal.dot(s.centroid));
     }
     return least;
   }
-  return std::numeric_limits<Real>::infinity();
-}
-
-Real thicknessOf(const Shape& s) {
-  if (std::holds_alternative<HalfSpace>(s)) return std::numeric_limits<Real>::infinity();
-  Real least = std::numeric_limits<Real>::infinity();
-  if (const auto* compound = std::get_if<Compound>(&s)) {
-    for (const CompoundPart& part : compound->parts) {
-      least = std::min(least, thicknessOf(part.shape));
-    }
+  Real operator()(const Compound& s) const {
+    Real least = std::numeric_limits<Real>::infinity();
+    for (const CompoundPart& part : s.parts) least = std::min(least, std::visit(*this, part.shape));
     return least;
   }
-  return std::visit(
-      [](const auto& shape) -> Real {
-        if constexpr (std::is_constructible_v<ConvexShape, decltype(shape)>) {
-          return thicknessOf(ConvexShape(shape));
-        } else {
-          return std::numeric_limits<Real>::infinity();
-        }
-      },
-      s);
-}
+  template <class Other>
+  Real operator()(const Other&) const {
+    return std::numeric_limits<Real>::infinity();
+  }
+};
 
 // What a failure is told with.
 std::string text(const Vector3& v) {
@@ -285,7 +274,8 @@ Tried tryBodies(const Shape& a, const Pose& A, const Shape& b, const Pose& B, co
   const bool planes = std::holds_alternative<HalfSpace>(a) && std::holds_alternative<HalfSpace>(b);
 
   const Real size = sizeOf(a, A) + sizeOf(b, B);
-  const bool solid = std::min(thicknessOf(a), thicknessOf(b)) >= 1e-6 * size;
+  const bool solid =
+      std::min(std::visit(Thickness(), a), std::visit(Thickness(), b)) >= 1e-6 * size;
 
   const Separation d = signedDistance(a, A, b, B);
   const Separation back = signedDistance(b, B, a, A);

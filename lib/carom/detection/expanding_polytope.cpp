@@ -95,9 +95,8 @@ void setPlane(Polytope& polytope, Face& face) {
 
 // A tetrahedron to begin with: two points far apart, one far from their line, one far from the plane
 // of the three. Each is looked for where it must be, square to what is there already.
-// Which corners of the seed are not in it is told in `left`.
 bool firstTetrahedron(const CorePair& pair, const Simplex<3>& seed, Polytope& polytope,
-                      int& iterations, std::array<bool, 4>& left) {
+                      int& iterations) {
   std::array<SimplexVertex<3>, 16> candidates;
   std::size_t count = 0;
   for (int i = 0; i < seed.count; ++i) {
@@ -120,7 +119,6 @@ bool firstTetrahedron(const CorePair& pair, const Simplex<3>& seed, Polytope& po
     }
     return best;
   };
-  for (std::size_t i = 0; i < left.size(); ++i) left[i] = i < count;
   std::array<std::size_t, 4> chosen{};
   if (count < 2) askBothWays(Vector3::UnitX());
   const Vector3 o = candidates[0].difference;
@@ -142,10 +140,7 @@ bool firstTetrahedron(const CorePair& pair, const Simplex<3>& seed, Polytope& po
   }
   chosen[3] = farthest([&](const Vector3& x) { return std::abs(n.dot(x - o)); });
 
-  for (const std::size_t k : chosen) {
-    polytope.add(candidates[k]);
-    if (k < left.size()) left[k] = false;
-  }
+  for (const std::size_t k : chosen) polytope.add(candidates[k]);
   const int side = orientation(polytope.at(0), polytope.at(1), polytope.at(2), polytope.at(3));
   if (side == 0) return false;
   if (side > 0) std::swap(polytope.corners[1], polytope.corners[2]);
@@ -216,10 +211,16 @@ bool grow(Polytope& polytope, int start) {
 
 // Lets the polytope reach the seed's other corners too: the seed holds the origin, or comes as near
 // to it as rounding lets it see, and a polytope without it may have the origin far beside it.
-void growToSeed(const Simplex<3>& seed, const std::array<bool, 4>& left, Polytope& polytope) {
-  for (std::size_t i = 0; i < left.size(); ++i) {
-    if (!left[i]) continue;
-    polytope.add(seed.vertices[i]);
+void growToSeed(const Simplex<3>& seed, Polytope& polytope) {
+  for (int i = 0; i < seed.count; ++i) {
+    const SimplexVertex<3>& vertex = seed.vertices[static_cast<std::size_t>(i)];
+    // Corners that it has already would cost exact signs that are all zero.
+    const auto end = polytope.corners.begin() + polytope.cornerCount;
+    const bool known = std::any_of(polytope.corners.begin(), end, [&vertex](const Corner& corner) {
+      return corner.pointA == vertex.pointA && corner.pointB == vertex.pointB;
+    });
+    if (known) continue;
+    polytope.add(vertex);
     bool outside = false;
     for (int f = 0; f < polytope.faceCount && !outside; ++f) {
       outside = polytope.face(f).alive && grow(polytope, f);
@@ -270,12 +271,11 @@ void setWitnesses(const Polytope& polytope, Real noise, Penetration& result) {
 Penetration expandPolytope(const CorePair& pair, const Simplex<3>& seed, Real size) {
   Penetration result;
   Polytope polytope;
-  std::array<bool, 4> left{};
-  if (!firstTetrahedron(pair, seed, polytope, result.iterations, left)) {
+  if (!firstTetrahedron(pair, seed, polytope, result.iterations)) {
     result.flat = true;
     return result;
   }
-  growToSeed(seed, left, polytope);
+  growToSeed(seed, polytope);
   // A support point is known to a few ulp of the coordinates: what is nearer is no progress.
   const Real noise = 4 * kEpsilon * size;
   Face face;
