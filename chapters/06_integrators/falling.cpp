@@ -81,8 +81,8 @@ int main(int argc, char** argv) {
   const Real exact = kGravity * 100 / 2;
   std::cout << "Height after 10 s, minus the exact " << exact << " m\n\n";
   carom::io::Table table;
-  table.column("method").column("dt = 1 s", carom::io::fixed(3));
-  table.column("0.1 s", carom::io::fixed(3)).column("0.01 s", carom::io::fixed(3));
+  table.column("method").column("dt = 1 s", carom::io::fixed(4));
+  table.column("0.1 s", carom::io::fixed(4)).column("0.01 s", carom::io::fixed(4));
   table.column("gravity twice", carom::io::fixed(1));
   for (const Method& method : kMethods) {
     table.row({method.name, heightAt(method, 1, 10, fall) - exact,

@@ -98,7 +98,7 @@ int main(int argc, char** argv) {
   table.column("method").column("forces").column("off by", carom::io::scientific(1));
   table.column("energy off by", carom::io::scientific(1));
   carom::io::Plot plot("Ten years");
-  plot.xAxis("x").yAxis("y").equalAspect().xRange(-4, 3).yRange(-2.5, 2.5);
+  plot.xAxis("x").yAxis("y").equalAspect().xRange(-6, 2).yRange(-3, 3);
   plot.describe(
       "The orbit of explicit Euler opens into a spiral; that of semi-implicit Euler turns "
       "slowly about the sun; that of Runge and Kutta's method is the ellipse.");
