@@ -39,7 +39,7 @@ const Vector3 kWeight(0, 0, -9.81);     // [N, world]
 // about, so the force at the point has no arm.
 Vector3 torqueOfWeight(Real, const RotorState& s) {
   const Vector3 weight = rotatePoint(conjugate(s.q_WB), kWeight);
-  return cross(kMiddle, weight);  // along the axes of the body
+  return carom::cross(kMiddle, weight);  // along the axes of the body
 }
 //! [torque]
 
