@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "carom/core/real.hpp"
-#include "grading/fields_rotation.hpp"
+#include "grading/fields_motion.hpp"
 #include "support/catch.hpp"
 
 namespace carom_test {
@@ -100,6 +100,19 @@ TEST_CASE("matrices and structs come through") {
   CHECK(throughTheWire(m) == m);
   CHECK(numbers(throughTheWire(someContact())) == numbers(someContact()));
   CHECK(numbers(throughTheWire(carom::Quaternion{1, 2, 3, 4})) == std::vector<double>{1, 2, 3, 4});
+}
+
+TEST_CASE("a state comes through with as many coordinates as it has") {
+  const carom::State state = {carom::Vector3(1, -2, 0.1), carom::Vector3(0.5, 1e300, -0.0)};
+  const carom::State back = throughTheWire(state);
+  CHECK(back.position == state.position);
+  CHECK(back.velocity == state.velocity);
+  CHECK(throughTheWire(carom::Coordinates()).size() == 0);
+  CHECK(show(state.position) == "(1, -2, 0.1)");
+  CHECK(numbers(carom::State{carom::Coordinates::Zero(2), carom::Coordinates::Zero(1)}) !=
+        numbers(carom::State{carom::Coordinates::Zero(1), carom::Coordinates::Zero(2)}));
+  isRefused<carom::Coordinates>(length(0xffffffffu) + std::string(64, 'x'));
+  isRefused<carom::Coordinates>(length(2) + std::string(15, 'x'));
 }
 
 TEST_CASE("a message that is cut anywhere is refused") {

@@ -1,0 +1,16 @@
+// Exercise 06.explicit_euler: where is everything a step later, if nothing changed meanwhile?
+// Check it with: ./course check 06.explicit_euler
+
+#include "carom/motion/explicit_euler.hpp"
+
+namespace carom {
+
+State explicitEuler(const State& state, Real time, Real dt, const Acceleration& acceleration) {
+  // Given: numbers that cannot be worked with are refused.
+  requireUsable(state, time, dt);
+  const Coordinates position = state.position + dt * state.velocity;
+  const Coordinates a = accelerationAt(acceleration, time, position, state.velocity);
+  return {position, state.velocity + dt * a};
+}
+
+}  // namespace carom

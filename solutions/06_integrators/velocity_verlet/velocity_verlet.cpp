@@ -1,0 +1,27 @@
+// Exercise 06.velocity_verlet: how does Verlet's method look with a velocity in it?
+// Check it with: ./course check 06.velocity_verlet
+
+#include "carom/motion/velocity_verlet.hpp"
+
+#include "carom/core/todo.hpp"
+
+namespace carom {
+
+State velocityVerlet(const State& state, Real time, Real dt, const Acceleration& acceleration) {
+  // Given: numbers that cannot be worked with are refused.
+  requireUsable(state, time, dt);
+  //# solution
+  const Coordinates before = accelerationAt(acceleration, time, state.position, state.velocity);
+  const Coordinates position = state.position + dt * state.velocity + dt * dt / 2 * before;
+
+  const Coordinates guess = state.velocity + dt * before;
+  const Coordinates after = accelerationAt(acceleration, time + dt, position, guess);
+  return {position, state.velocity + dt / 2 * (before + after)};
+  //# stub
+  // Ask the forces twice. Which place, which time and which velocity belong to the second question?
+  // Name the type of what you compute: `const Coordinates position = ...`, and not `auto`.
+  //#| return todo<State>("velocityVerlet");
+  //# end
+}
+
+}  // namespace carom
