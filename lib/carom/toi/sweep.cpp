@@ -1,0 +1,49 @@
+#include "carom/toi/sweep.hpp"
+
+#include <string>
+
+#include "carom/core/checks.hpp"
+#include "carom/core/cross.hpp"
+#include "carom/core/elementary.hpp"
+
+namespace carom {
+
+Pose poseAt(const Sweep& sweep, Real time) {
+  Pose pose = sweep.start;
+  const Vector3 travelled = time * sweep.velocity + time * time / 2 * sweep.acceleration;
+  const Real rate = sweep.angularVelocity.norm();
+  if (rate == 0 || time == 0) {
+    pose.p_WB += travelled;
+    return pose;
+  }
+  // Rodrigues: turn every column of the rotation about the axis. The origin goes round the centre.
+  const Vector3 axis = sweep.angularVelocity / rate;
+  const SineCosine angle = sineCosine(rate * time);
+  const Real halfSine = sine(rate * time / 2), versine = 2 * halfSine * halfSine;
+  const auto turned = [&](const Vector3& v) -> Vector3 {
+    const Vector3 across = cross(axis, v);
+    return v + angle.sine * across + versine * cross(axis, across);
+  };
+  for (int k = 0; k < 3; ++k) pose.R_WB.col(k) = turned(sweep.start.R_WB.col(k));
+  const Vector3 arm = sweep.start.R_WB * sweep.centre;
+  pose.p_WB += travelled + (arm - pose.R_WB * sweep.centre);
+  return pose;
+}
+
+Vector3 velocityAt(const Sweep& sweep, Real time, const Vector3& point) {
+  const Vector3 centre = sweep.start.p_WB + sweep.start.R_WB * sweep.centre +
+                         time * sweep.velocity + time * time / 2 * sweep.acceleration;
+  return sweep.velocity + time * sweep.acceleration +
+         cross(sweep.angularVelocity, Vector3(point - centre));
+}
+
+void requireUsable(const Sweep& sweep, const char* name) {
+  requireUsable(sweep.start, name);
+  const std::string of = name;
+  requireFinite(sweep.velocity, (of + ".velocity").c_str());
+  requireFinite(sweep.angularVelocity, (of + ".angularVelocity").c_str());
+  requireFinite(sweep.acceleration, (of + ".acceleration").c_str());
+  requireFinite(sweep.centre, (of + ".centre").c_str());
+}
+
+}  // namespace carom
