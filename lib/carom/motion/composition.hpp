@@ -15,6 +15,7 @@
 #include <span>
 
 #include "carom/core/real.hpp"
+#include "carom/motion/careful_sum.hpp"
 
 namespace carom {
 
@@ -97,24 +98,16 @@ struct CarefulMotion {
 template <class V, class Force>
 void composedStep(CarefulMotion<V>& motion, Real time, Real dt, std::span<const Real> weights,
                   Force&& acceleration) {
-  // The rounding error of a sum, exactly (Knuth's two-sum).
-  const auto add = [](V& sum, V& lost, const V& term) {
-    const V wanted = term + lost;
-    const V next = sum + wanted;
-    const V taken = next - sum;
-    lost = (sum - (next - taken)) + (wanted - taken);
-    sum = next;
-  };
   Real drift = 0, done = 0;
   for (const Real w : weights) {
     drift += w / 2;
-    add(motion.position, motion.lostPosition, drift * dt * motion.velocity);
-    add(motion.velocity, motion.lostVelocity,
-        w * dt * acceleration(time + (done + w / 2) * dt, motion.position));
+    addCarefully<V>(motion.position, motion.lostPosition, drift * dt * motion.velocity);
+    addCarefully<V>(motion.velocity, motion.lostVelocity,
+                    w * dt * acceleration(time + (done + w / 2) * dt, motion.position));
     drift = w / 2;
     done += w;
   }
-  add(motion.position, motion.lostPosition, drift * dt * motion.velocity);
+  addCarefully<V>(motion.position, motion.lostPosition, drift * dt * motion.velocity);
 }
 
 }  // namespace carom

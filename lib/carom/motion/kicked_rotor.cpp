@@ -1,25 +1,50 @@
 #include "carom/motion/kicked_rotor.hpp"
 
 #include "carom/core/checks.hpp"
+#include "carom/rotation/renormalize.hpp"
 
 namespace carom {
+namespace {
 
-RotorState kickedRotor(const SplitRotor& body, const RotorState& state, Real time, Real dt,
-                       std::span<const Real> weights, const Torque& torque) {
+void requireUsable(const RotorState& state, Real time, Real dt, const Torque& torque) {
   requireUsable(state);
   requireFinite(time, "time");
   requireFinite(dt, "dt");
   if (!torque) reject("torque", "an empty function", "must be callable");
-  RotorState next = state;
+}
+
+// A kick: the torque at a time and place changes the angular momentum.
+void kick(const SplitRotor& rotor, TurningBody& body, Real dt, Real time, const Torque& torque) {
+  const RotorState there = {body.q_WB, rotor.angularVelocity(body.momentum)};
+  body.momentum += dt * torque(time, there);
+}
+
+}  // namespace
+
+RotorState kickedRotor(const SplitRotor& body, const RotorState& state, Real time, Real dt,
+                       std::span<const Real> weights, const Torque& torque) {
+  requireUsable(state, time, dt, torque);
+  TurningBody b = {state.q_WB, body.moments().cwiseProduct(state.angularVelocity)};
   Real turn = 0, done = 0;  // how much free turning is owed, and how far the kicks have come [1]
   for (const Real w : weights) {
-    next = body.step4(next, (turn + w / 2) * dt);
-    const Vector3 tau = torque(time + (done + w / 2) * dt, next);
-    next.angularVelocity += w * dt * tau.cwiseQuotient(body.moments());
+    body.turn4(b, (turn + w / 2) * dt);
+    kick(body, b, w * dt, time + (done + w / 2) * dt, torque);
     turn = w / 2;
     done += w;
   }
-  return body.step4(next, turn * dt);
+  body.turn4(b, turn * dt);
+  return {renormalize(b.q_WB), body.angularVelocity(b.momentum)};
+}
+
+RotorState kickedRotor(const SplitRotor& body, const RotorState& state, Real time, Real dt,
+                       int count, const Splitting& method, const Torque& torque) {
+  requireUsable(state, time, dt, torque);
+  if (count < 0) reject("count", std::to_string(count), "must be zero or more");
+  TurningBody b = {state.q_WB, body.moments().cwiseProduct(state.angularVelocity)};
+  takeTurns(
+      method, dt, count, [&](Real h) { body.turn4(b, h); },
+      [&](Real h, Real done) { kick(body, b, h, time + done, torque); });
+  return {renormalize(b.q_WB), body.angularVelocity(b.momentum)};
 }
 
 }  // namespace carom

@@ -6,7 +6,9 @@
 // of composition.hpp gives any order that they give; the energy swings and does not drift.
 // Why: the fast spin, which forces other methods to short steps, costs nothing here. Only the slow
 // change of the torque has to be followed.
-// Source: Hairer, Lubich and Wanner, Geometric Numerical Integration, 2006, VII.5 and V.3.
+// Source: Hairer, Lubich and Wanner, Geometric Numerical Integration, 2006, VII.5 and V.3; Blanes
+// and Moan 2002 (splitting.hpp). The energy of a rotation is a square of L as that of a motion is
+// one of the velocity, so their methods keep their order here.
 // Not handled: torques that depend on the angular velocity; and orders beyond four for a body of
 // three unlike moments, whose free rotation split_rotor.hpp follows to order four.
 
@@ -14,6 +16,7 @@
 
 #include "carom/motion/rk4_rotor.hpp"
 #include "carom/motion/split_rotor.hpp"
+#include "carom/motion/splitting.hpp"
 
 namespace carom {
 
@@ -31,5 +34,22 @@ namespace carom {
 /// \ingroup motion
 RotorState kickedRotor(const SplitRotor& body, const RotorState& state, Real time, Real dt,
                        std::span<const Real> weights, const Torque& torque);
+
+/// Many steps of a body under torque by a splitting whose turns and kicks are of free lengths: for
+/// the same error a third of the torques, or fewer.
+/// \param body steps the free rotation
+/// \param state attitude and angular velocity at the start
+/// \param time at the start [s]
+/// \param dt length of a step; negative runs backwards [s]
+/// \param count how many steps, zero or more
+/// \param method the lengths, for example kBlanesMoan6
+/// \param torque tau(t, state) about the centre of mass, or the fixed point that the moments are
+/// about; not dependent on the angular velocity [N m, body]
+/// \return attitude and angular velocity at time + count * dt
+/// \throws InvalidInput if a number is not finite, the quaternion not of norm one, the torque
+/// missing, or the count negative
+/// \ingroup motion
+RotorState kickedRotor(const SplitRotor& body, const RotorState& state, Real time, Real dt,
+                       int count, const Splitting& method, const Torque& torque);
 
 }  // namespace carom

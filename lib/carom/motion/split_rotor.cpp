@@ -10,11 +10,84 @@
 #include "carom/rotation/renormalize.hpp"
 
 namespace carom {
+namespace {
+
+// Below this half angle the series that follow are good to a tenth of a rounding error: y^10/10! is
+// 1.5e-17 for the angle y = 3/32, and the terms that the half angle leaves out are smaller still.
+constexpr Real kShort = 3.0 / 64;
+
+// (sin x - x) / x^3 and (cos x - 1) / x^2 by their series; z is x^2. Grouped so that a processor
+// works on both halves of each sum at once.
+Real sineSeries(Real z) {
+  return (-1.0 / 6 + z * (1.0 / 120)) + z * z * (-1.0 / 5040 + z * (1.0 / 362880));
+}
+Real cosineSeries(Real z) {
+  return (-1.0 / 2 + z * (1.0 / 24)) + z * z * (-1.0 / 720 + z * (1.0 / 40320));
+}
+
+// A body in the numbers of the loops: the turn w, q that it has made since the start, and its
+// momentum L. The axes are named after what is done about them, the round one first, the odd one
+// second; a cycle of axes stays right-handed.
+struct Turning {
+  Real w = 1;
+  Real q[3] = {0, 0, 0};
+  Real L[3] = {0, 0, 0};
+};
+
+// The motion of a body with the energy rate * L_axis^2 / 2, for a time of 2 halfRate / rate. It
+// turns about that axis at rate * L_axis, and L, which the world sees at rest, turns the other way
+// in the body.
+//
+// Each turn waits for the one before, so what counts is the longest chain of operations. For short
+// turns the sine of the whole angle has a series of its own, instead of being made from that of the
+// half, and its terms are added to L smallest last; that brought a step of order 4 from 260 to 210
+// ns.
+template <int axis>
+[[gnu::always_inline]] inline void turnAbout(Real halfRate, Turning& b) {
+  constexpr int j = (axis + 1) % 3, k = (axis + 2) % 3;
+  const Real half = halfRate * b.L[axis];
+  const Real a = b.L[j], c = b.L[k];
+  Real sine, cosine;  // of the half angle
+  if (std::abs(half) < kShort) {
+    const Real angle = 2 * half, z = angle * angle, cubed = angle * z;
+    const Real s = sineSeries(z), r = cosineSeries(z);
+    b.L[j] = (a + angle * c) + ((cubed * c) * s + (z * a) * r);
+    b.L[k] = (c - angle * a) - ((cubed * a) * s - (z * c) * r);
+    const Real h = half * half;
+    sine = half + half * h * sineSeries(h);
+    cosine = 1 + h * cosineSeries(h);
+  } else {
+    const SineCosine e = sineCosine(half);
+    sine = e.sine;
+    cosine = e.cosine;
+    const Real whole = 2 * sine * cosine, less = 2 * sine * sine;  // sine, and 1 - cosine
+    b.L[j] = a - (less * a - whole * c);
+    b.L[k] = c - (less * c + whole * a);
+  }
+  // The quaternion times (cosine, sine along the axis), in which half of the terms are zero.
+  const Real w = b.w, x = b.q[axis], y = b.q[j], u = b.q[k];
+  b.w = w * cosine - x * sine;
+  b.q[axis] = x * cosine + w * sine;
+  b.q[j] = y * cosine + u * sine;
+  b.q[k] = u * cosine - y * sine;
+}
+
+// Lengths of the turns about the odd and about the round axis [1]. Each list adds up to one.
+constexpr Real kOdd2[2] = {0.5, 0.5}, kRound2[1] = {1};
+
+// Blanes and Moan 2002, S6.
+constexpr Real kA1 = 0.0792036964311957, kA2 = 0.353172906049774, kA3 = -0.0420650803577195;
+constexpr Real kA4 = 1 - 2 * (kA1 + kA2 + kA3);
+constexpr Real kB1 = 0.209515106613362, kB2 = -0.143851773179818, kB3 = 0.5 - (kB1 + kB2);
+constexpr Real kOdd4[7] = {kA1, kA2, kA3, kA4, kA3, kA2, kA1};
+constexpr Real kRound4[6] = {kB1, kB2, kB3, kB3, kB2, kB1};
+
+}  // namespace
 
 SplitRotor::SplitRotor(const Vector3& moments) : moments_(moments) {
   requireMoments(moments);
-  // The two moments that are nearest to each other are taken for equal; the smaller the difference,
-  // the smaller the error of taking turns.
+  // The two moments that are nearest to each other have the smallest difference of rates; the
+  // smaller it is, the smaller the error of taking turns.
   Real nearest = std::numeric_limits<Real>::infinity();
   for (int axis = 0; axis < 3; ++axis) {
     const int j = (axis + 1) % 3, k = (axis + 2) % 3;
@@ -22,7 +95,6 @@ SplitRotor::SplitRotor(const Vector3& moments) : moments_(moments) {
     if (difference >= nearest) continue;
     nearest = difference;
     round_ = axis;
-    odd_ = j;
     equal_ = moments[k];
     // As quotients of differences, so that near moments keep their digits.
     oddRate_ = (moments[k] - moments[j]) / (moments[k] * moments[j]);
@@ -30,60 +102,70 @@ SplitRotor::SplitRotor(const Vector3& moments) : moments_(moments) {
   }
 }
 
-// The motion of a body with the energy rate * L_axis^2 / 2. It turns about that axis at rate *
-// L_axis, and L, which the world sees at rest, turns the other way in the body.
-void SplitRotor::turnAbout(int axis, Real rate, Real dt, Moving& body) const {
-  const SineCosine half = sineCosine(rate * body.momentum[axis] * dt / 2);
-  const int j = (axis + 1) % 3, k = (axis + 2) % 3;
-  const Real sine = 2 * half.sine * half.cosine;
-  const Real less = 2 * half.sine * half.sine;  // 1 - cosine
-  const Real a = body.momentum[j], b = body.momentum[k];
-  body.momentum[j] = a - less * a + sine * b;
-  body.momentum[k] = b - less * b - sine * a;
-
-  Vector3 v = Vector3::Zero();
-  v[axis] = half.sine;
-  body.q = hamiltonProduct(body.q, {half.cosine, v.x(), v.y(), v.z()});
+TurningBody SplitRotor::begin(const RotorState& state, Real dt) const {
+  requireUsable(state);
+  requireFinite(dt, "dt");
+  return {state.q_WB, moments_.cwiseProduct(state.angularVelocity)};
 }
 
-// The motion of a body that is round about an axis: steadily about L, and about that axis.
-void SplitRotor::turnRound(Real dt, Moving& body) const {
-  const Real size = length(body.momentum);
+RotorState SplitRotor::end(const TurningBody& body) const {
+  return {renormalize(body.q_WB), angularVelocity(body.momentum)};
+}
+
+// `count` steps whose parts are `odd` and `round`, beginning and ending with an odd one.
+template <int n>
+void SplitRotor::turn(TurningBody& body, Real dt, int count, const Real (&odd)[n + 1],
+                      const Real (&round)[n]) const {
+  const Vector3 L = body.momentum;
+  const int r = round_, o = (r + 1) % 3, e = (r + 2) % 3;
+  Turning b;
+  b.L[0] = L[r], b.L[1] = L[o], b.L[2] = L[e];
+  const Real oddTurn = oddRate_ * dt / 2, roundTurn = roundRate_ * dt / 2;
+  if (oddRate_ == 0) {
+    turnAbout<0>(count * roundTurn, b);  // round: one turn does it, without error
+  } else if (count > 0) {
+    turnAbout<1>(odd[0] * oddTurn, b);
+    for (int step = 0; step < count; ++step) {
+      for (int i = 0; i < n; ++i) {
+        turnAbout<0>(round[i] * roundTurn, b);
+        // The last turn of a step and the first of the next are one.
+        const bool joins = i + 1 == n && step + 1 < count;
+        turnAbout<1>((joins ? odd[n] + odd[0] : odd[i + 1]) * oddTurn, b);
+      }
+    }
+  }
+  body.momentum[r] = b.L[0], body.momentum[o] = b.L[1], body.momentum[e] = b.L[2];
+  Vector3 v;
+  v[r] = b.q[0], v[o] = b.q[1], v[e] = b.q[2];
+
+  // About L, for all steps at once, and before the others, which turn L in the body.
+  const Real size = length(L);
   if (size == 0) return;
-  const SineCosine half = sineCosine(size * dt / (2 * equal_));
-  const Vector3 v = half.sine / size * body.momentum;
-  body.q = hamiltonProduct(body.q, {half.cosine, v.x(), v.y(), v.z()});
-  turnAbout(round_, roundRate_, dt, body);
+  const SineCosine half = sineCosine(size * (count * dt) / (2 * equal_));
+  const Vector3 u = half.sine / size * L;
+  body.q_WB = hamiltonProduct(
+      body.q_WB, hamiltonProduct({half.cosine, u.x(), u.y(), u.z()}, {b.w, v.x(), v.y(), v.z()}));
+}
+
+void SplitRotor::turn4(TurningBody& body, Real dt) const {
+  turn<6>(body, dt, 1, kOdd4, kRound4);
 }
 
 RotorState SplitRotor::step2(const RotorState& state, Real dt) const {
-  requireUsable(state);
-  requireFinite(dt, "dt");
-  Moving body = {state.q_WB, moments_.cwiseProduct(state.angularVelocity)};
-  turnAbout(odd_, oddRate_, dt / 2, body);
-  turnRound(dt, body);
-  turnAbout(odd_, oddRate_, dt / 2, body);
-  return {renormalize(body.q), body.momentum.cwiseQuotient(moments_)};
+  TurningBody body = begin(state, dt);
+  turn<1>(body, dt, 1, kOdd2, kRound2);
+  return end(body);
 }
 
 RotorState SplitRotor::step4(const RotorState& state, Real dt) const {
-  // Blanes and Moan 2002, S6. The sums a1 + ... + a1 and b1 + ... + b1 are one.
-  constexpr Real a1 = 0.0792036964311957, a2 = 0.353172906049774, a3 = -0.0420650803577195;
-  constexpr Real a4 = 1 - 2 * (a1 + a2 + a3);
-  constexpr Real b1 = 0.209515106613362, b2 = -0.143851773179818, b3 = 0.5 - (b1 + b2);
-  constexpr Real kOdd[] = {a1, a2, a3, a4, a3, a2};
-  constexpr Real kRound[] = {b1, b2, b3, b3, b2, b1};
+  return steps4(state, dt, 1);
+}
 
-  if (oddRate_ == 0) return step2(state, dt);  // round: one turn does it, without error
-  requireUsable(state);
-  requireFinite(dt, "dt");
-  Moving body = {state.q_WB, moments_.cwiseProduct(state.angularVelocity)};
-  for (int i = 0; i < 6; ++i) {
-    turnAbout(odd_, oddRate_, kOdd[i] * dt, body);
-    turnRound(kRound[i] * dt, body);
-  }
-  turnAbout(odd_, oddRate_, a1 * dt, body);
-  return {renormalize(body.q), body.momentum.cwiseQuotient(moments_)};
+RotorState SplitRotor::steps4(const RotorState& state, Real dt, int count) const {
+  if (count < 0) reject("count", std::to_string(count), "must be zero or more");
+  TurningBody body = begin(state, dt);
+  turn<6>(body, dt, count, kOdd4, kRound4);
+  return end(body);
 }
 
 }  // namespace carom
