@@ -4,38 +4,25 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
-#include <fstream>
-#include <nlohmann/json.hpp>
 #include <string>
 
 #include "carom/core/cross.hpp"
 #include "carom/core/random.hpp"
 #include "carom/core/real.hpp"
 #include "carom/impulse/body_motion.hpp"
+#include "support/cases.hpp"
 
 namespace carom_test {
 
-using nlohmann::json;
-
 constexpr double kUlp = 2.220446049250313e-16;
 
-// One case of group I. Numbers are strings, so that no digit is lost on the way.
+// One case of group I.
 inline json impulseCase(const std::string& id) {
-  std::ifstream file(std::string(CAROM_CASES_DIR) + "/impulse.json");
-  return json::parse(file).at(id);
-}
-
-inline double number(const json& value) {
-  return std::strtod(value.get<std::string>().c_str(), nullptr);
+  return readCase("impulse", id);
 }
 
 inline carom::Vector2 vector2(const json& value) {
   return {number(value.at(0)), number(value.at(1))};
-}
-
-inline carom::Vector3 vector(const json& value) {
-  return {number(value.at(0)), number(value.at(1)), number(value.at(2))};
 }
 
 // Within so many units in the last place of the larger of both.

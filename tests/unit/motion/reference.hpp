@@ -3,31 +3,23 @@
 // equations of motion of the cases.
 
 #include <cmath>
-#include <cstdlib>
-#include <fstream>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "carom/core/elementary.hpp"
 #include "carom/motion/simulate.hpp"
 #include "carom/motion/state.hpp"
+#include "support/cases.hpp"
 
 namespace carom_test {
 
 using carom::Coordinates;
 using carom::Real;
 using carom::State;
-using nlohmann::json;
 
-// One case of group N. Numbers are strings, so that no digit is lost on the way.
+// One case of group N.
 inline json motionCase(const std::string& id) {
-  std::ifstream file(std::string(CAROM_CASES_DIR) + "/motion.json");
-  return json::parse(file).at(id);
-}
-
-inline double number(const json& value) {
-  return std::strtod(value.get<std::string>().c_str(), nullptr);
+  return readCase("motion", id);
 }
 
 inline Coordinates column(const std::vector<Real>& values) {

@@ -37,10 +37,6 @@ constexpr Real kPi = std::numbers::pi;
 const Vector3 kMoments(1, 2, 3);
 const RotorState kTumbling = {{1, 0, 0, 0}, {2, 0, 1.5}};
 
-Vector3 vector(const json& v) {
-  return {number(v[0]), number(v[1]), number(v[2])};
-}
-
 Quaternion quaternion(const json& v) {
   return {number(v[0]), number(v[1]), number(v[2]), number(v[3])};
 }
