@@ -19,6 +19,12 @@ void ExactSum::addProduct(Real a, Real b, Real c) {
   add(large.product);
 }
 
+void ExactSum::addProduct(Real a, Real b, Real c, Real d) {
+  const TwoProduct cd = twoProduct(c, d);
+  addProduct(a, b, cd.error);
+  addProduct(a, b, cd.product);
+}
+
 int ExactSum::sign() const {
   if (parts_.empty()) return 0;
   return parts_.back() > 0 ? 1 : -1;

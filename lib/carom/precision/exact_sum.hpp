@@ -25,6 +25,11 @@ class ExactSum {
   ///   between 1e-276 and 1e300 in size, and so must that of a and b
   void addProduct(Real a, Real b, Real c);
 
+  /// Adds the product of four numbers, exactly.
+  /// \param a first factor \param b second factor \param c third factor \param d fourth factor;
+  ///   their product must be 0 or between 1e-260 and 1e300 in size, and so must ab and cd
+  void addProduct(Real a, Real b, Real c, Real d);
+
   /// The sign of the sum. \return -1, 0 or 1, exactly
   int sign() const;
 

@@ -1,0 +1,15 @@
+#include "carom/precision/relative_to_origin.hpp"
+
+namespace carom {
+
+Vector3 relativeToOrigin(const CellPosition& position, const CellPosition& origin) {
+  Vector3 difference = position.offset - origin.offset;
+  for (int i = 0; i < 3; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    // Whole numbers first: the difference of two large ones is small, and exact.
+    difference(i) += static_cast<Real>(position.cell[k] - origin.cell[k]) * kCellSize;
+  }
+  return difference;
+}
+
+}  // namespace carom
