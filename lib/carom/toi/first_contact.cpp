@@ -11,58 +11,31 @@
 #include "carom/core/checks.hpp"
 #include "carom/core/cross.hpp"
 #include "carom/core/length.hpp"
-#include "carom/detection/core_shape.hpp"
 #include "carom/detection/gjk.hpp"
+#include "carom/toi/moving_core.hpp"
 
 namespace carom {
 namespace {
 
 using detail::CoreShape;
+using detail::MovingCore;
+using detail::movingCores;
 using detail::PlacedCore;
 
 constexpr Real kUlp = std::numeric_limits<Real>::epsilon();
 
-// A convex part on its way: its core, and how its points can bend their paths.
-struct MovingCore {
-  CoreShape core;
-  Sweep sweep;
-  Real reach = 0;  // no point of the core is farther from the centre [m]
-  Real bend = 0;   // |w|^2 times the greatest distance from the axis: no point bends more [m/s^2]
-};
-
-// Calls visit(corner) for points of the body's frame whose hull holds the core.
-template <class Visit>
-void forEachCorner(const CoreShape& core, const Visit& visit) {
-  if (core.kind == detail::CoreKind::hull) {
-    for (const Vector3& v : core.hull->vertices) visit(v);
-    return;
-  }
-  for (int i = 0; i < 8; ++i) {
-    const Vector3 signs(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1);
-    visit(Vector3(signs.cwiseProduct(core.extents)));
-  }
-}
-
-MovingCore movingCore(const CoreShape& core, const Sweep& sweep) {
-  MovingCore moving = {core, sweep};
-  const Real rate = length(sweep.angularVelocity);
-  Real farthest = 0, fromAxis = 0;  // squared
-  forEachCorner(core, [&](const Vector3& corner) {
-    const Vector3 arm = sweep.start.R_WB * (corner - sweep.centre);
-    farthest = std::max(farthest, arm.squaredNorm());
-    if (rate > 0) {
-      fromAxis =
-          std::max(fromAxis, cross(Vector3(sweep.angularVelocity / rate), arm).squaredNorm());
-    }
-  });
-  moving.reach = std::sqrt(farthest);
-  moving.bend = rate * rate * std::sqrt(fromAxis);
-  return moving;
-}
-
 // The motion of the centre, less the turning about it.
 Vector3 travelled(const Sweep& sweep, Real time) {
   return time * sweep.velocity + time * time / 2 * sweep.acceleration;
+}
+
+// When excess + slope t + bend t^2 / 2 comes down to zero, for a bend of zero or less; never:
+// infinity.
+Real untilNone(Real excess, Real slope, Real bend) {
+  if (!(excess > 0)) return 0;
+  const Real root = std::sqrt(slope * slope - 2 * bend * excess);
+  if (slope < 0) return 2 * excess / (root - slope);
+  return bend < 0 ? (slope + root) / -bend : std::numeric_limits<Real>::infinity();
 }
 
 // How large the gap of a pair is at least, some time from now, along a normal that stays.
@@ -86,12 +59,12 @@ class GapBound {
     gap_ = normal.dot(betweenCentres);
     const Vector3 acceleration = b.sweep.acceleration - a.sweep.acceleration;
     speed_ = normal.dot(b.sweep.velocity - a.sweep.velocity) + now * normal.dot(acceleration);
-    // Points bend towards the axis only: what of the normal is along the axis sees nothing of it.
-    const auto seen = [&](const MovingCore& m, const Vector3& lean) {
-      const Real rate = length(m.sweep.angularVelocity);
-      return rate > 0 ? m.bend * std::min(Real(1), length(lean) / rate) : 0;
-    };
-    bend_ = std::min(Real(0), normal.dot(acceleration)) - seen(a, leanA_) - seen(b, leanB_);
+    pull_ = std::min(Real(0), normal.dot(acceleration));
+    reach_ = a.reach + b.reach;
+    // Points turn across the axis only: what of the normal is along the axis sees nothing of it.
+    turning_ = length(leanA_) * a.fromAxis + length(leanB_) * b.fromAxis;
+    bend_ = pull_ - length(a.sweep.angularVelocity) * length(leanA_) * a.fromAxis -
+            length(b.sweep.angularVelocity) * length(leanB_) * b.fromAxis;
   }
 
   Value at(Real later) const {
@@ -103,16 +76,28 @@ class GapBound {
             speed_ + leanB_.dot(armB) - leanA_.dot(armA) + later * bend_};
   }
 
-  // How much the bound can bend [m/s^2], zero or less.
-  Real bend() const {
-    return bend_;
+  // How long at least the gap stays at `least` or more, by what needs no support point: that no
+  // body reaches farther than its farthest corner, and none turns faster than that.
+  Real simpleAdvance(Real startGap, Real least) const {
+    const Real far = untilNone(gap_ - reach_ - radii_ - least, speed_, pull_);
+    return std::max(far, untilNone(startGap - least, speed_ - turning_, pull_));
+  }
+
+  // When the tangent at the start, bent as far as it can be, comes down to `least`: not later than
+  // that, this bound does.
+  Real latest(const Value& start, Real least) const {
+    return untilNone(start.gap - least, start.slope, bend_);
   }
 
  private:
   const PlacedCore& coreA_;
   const PlacedCore& coreB_;
   Vector3 normal_, leanA_, leanB_, centreA_, centreB_;
-  Real gap_ = 0, speed_ = 0, bend_ = 0, radii_ = 0;
+  Real gap_ = 0, speed_ = 0, radii_ = 0;
+  Real pull_ = 0;     // the most that acceleration can close the gap [m/s^2], zero or less
+  Real reach_ = 0;    // of both bodies
+  Real turning_ = 0;  // the most that turning can close the gap [m/s]
+  Real bend_ = 0;     // of acceleration and turning together [m/s^2], zero or less
 };
 
 // How long the bound stays at `least` or more, up to `remaining`; nearly, and never longer. The
@@ -123,21 +108,19 @@ Real safeAdvance(const GapBound& bound, Real least, Real remaining) {
   GapBound::Value end = bound.at(remaining);
   if (end.gap >= least) return remaining;
 
+  const Real simple = bound.simpleAdvance(start.gap, least);
+  if (simple >= remaining) return remaining;
   Real low = 0, lowGap = start.gap, high = remaining;
-  // Where the tangent at the start, bent as far as it can be, comes down to `least`.
-  const Real excess = start.gap - least, falling = -start.slope;
-  const Real root = std::sqrt(falling * falling - 2 * bound.bend() * excess);
-  const Real first = falling >= 0 ? 2 * excess / (falling + root) : (falling - root) / bound.bend();
-  if (first < high) {
-    high = first;
+  if (const Real latest = bound.latest(start, least); latest < high) {
+    high = latest;
     end = bound.at(high);
-    if (end.gap >= least) return high;
+    if (end.gap >= least) return std::max(simple, high);
   }
   Real chord = 0;
   for (int i = 0; i < 50; ++i) {
     chord = low + (lowGap - least) / (lowGap - end.gap) * (high - low);
     const Real tangent = end.slope < 0 ? high - (end.gap - least) / end.slope : high;
-    if (!(tangent > chord) || chord >= 0.99 * tangent) break;
+    if (!(tangent > chord) || chord >= 0.99 * tangent || tangent <= simple) break;
     const GapBound::Value left = bound.at(chord);
     if (left.gap >= least) {
       low = chord;
@@ -146,17 +129,11 @@ Real safeAdvance(const GapBound& bound, Real least, Real remaining) {
     if (tangent < high) {
       high = tangent;
       end = bound.at(high);
-      if (end.gap >= least) return high;
+      if (end.gap >= least) return std::max(simple, high);
     }
   }
-  return chord;
+  return std::max(simple, chord);
 }
-
-// What a pair is asked for at one time.
-struct Meeting {
-  Separation separation;
-  Real rounding = 0;  // of the gap [m]
-};
 
 class Pair {
  public:
@@ -234,53 +211,22 @@ class Pair {
   SimplexCache cache_;
 };
 
-struct Part {
-  CoreShape core;
-  Sweep sweep;
-};
-
-// The convex parts of a solid, each with the motion of the whole.
-std::vector<Part> partsOf(const Shape& shape, const Sweep& sweep) {
-  std::vector<Part> parts;
-  const auto add = [&](const auto& convex, const Pose& inBody) {
-    Sweep own = sweep;
-    own.start = composed(sweep.start, inBody);
-    own.centre = pointToBody(inBody, sweep.centre);
-    parts.push_back({detail::coreOf(convex), own});
-  };
-  std::visit(
-      [&](const auto& s) {
-        using S = std::decay_t<decltype(s)>;
-        if constexpr (std::is_same_v<S, Compound>) {
-          for (const CompoundPart& part : s.parts) {
-            std::visit([&](const auto& convex) { add(convex, part.pose); }, part.shape);
-          }
-        } else if constexpr (!std::is_same_v<S, HalfSpace>) {
-          add(s, Pose{});
-        }
-      },
-      shape);
-  return parts;
-}
-
 // The plane of a half-space as a point on its way, which does not turn.
-Part planeOf(const HalfSpace& plane, const Sweep& sweep) {
-  Part part = {CoreShape{}, sweep};
+MovingCore planeOf(const HalfSpace& plane, const Sweep& sweep) {
+  MovingCore part = {CoreShape{}, sweep};
   part.sweep.start.p_WB = pointToWorld(sweep.start, plane.offset * plane.normal);
   part.sweep.centre.setZero();
   return part;
 }
 
-TimeOfImpact earliest(const std::vector<Part>& as, const std::vector<Part>& bs,
+TimeOfImpact earliest(const std::vector<MovingCore>& as, const std::vector<MovingCore>& bs,
                       const std::optional<Vector3>& plane, Real duration,
                       const ContactSearch& search) {
   TimeOfImpact best;
-  for (const Part& a : as) {
-    for (const Part& b : bs) {
-      const MovingCore movingA = movingCore(a.core, a.sweep), movingB = movingCore(b.core, b.sweep);
+  for (const MovingCore& a : as) {
+    for (const MovingCore& b : bs) {
       const bool found = best.status != ImpactStatus::kNoHit;
-      TimeOfImpact next =
-          Pair(movingA, movingB, plane).search(found ? best.time : duration, search);
+      TimeOfImpact next = Pair(a, b, plane).search(found ? best.time : duration, search);
       next.steps += best.steps;
       if (next.status != ImpactStatus::kNoHit && (!found || next.time < best.time)) {
         best = next;
@@ -296,32 +242,24 @@ TimeOfImpact earliest(const std::vector<Part>& as, const std::vector<Part>& bs,
 
 TimeOfImpact firstContact(const Shape& a, const Sweep& A, const Shape& b, const Sweep& B,
                           Real duration, const ContactSearch& search) {
-  requireUsable(A, "A");
-  requireUsable(B, "B");
-  requireNonNegative(duration, "duration");
+  detail::requireSearchable(a, A, b, B, duration);
   requireNonNegative(search.tolerance, "search.tolerance");
   if (search.maxSteps < 1) {
     reject("search.maxSteps", std::to_string(search.maxSteps), "must be positive");
   }
   const HalfSpace* planeA = std::get_if<HalfSpace>(&a);
   const HalfSpace* planeB = std::get_if<HalfSpace>(&b);
-  if (planeA && planeB) reject("shapes", "two half-spaces", "must not both be without end");
-  for (const Sweep* moving : {planeA ? &A : nullptr, planeB ? &B : nullptr}) {
-    if (moving && !moving->angularVelocity.isZero(0)) {
-      reject("angularVelocity of a half-space", toText(moving->angularVelocity), "must be zero");
-    }
-  }
   if (planeB) {
-    TimeOfImpact result = earliest({planeOf(*planeB, B)}, partsOf(a, A),
+    TimeOfImpact result = earliest({planeOf(*planeB, B)}, movingCores(a, A),
                                    directionToWorld(B.start, planeB->normal), duration, search);
     result.normal = -result.normal;
     return result;
   }
   if (planeA) {
-    return earliest({planeOf(*planeA, A)}, partsOf(b, B), directionToWorld(A.start, planeA->normal),
-                    duration, search);
+    return earliest({planeOf(*planeA, A)}, movingCores(b, B),
+                    directionToWorld(A.start, planeA->normal), duration, search);
   }
-  return earliest(partsOf(a, A), partsOf(b, B), std::nullopt, duration, search);
+  return earliest(movingCores(a, A), movingCores(b, B), std::nullopt, duration, search);
 }
 
 }  // namespace carom

@@ -1,0 +1,45 @@
+#include "carom/toi/conservative_advancement.hpp"
+
+#include <algorithm>
+#include <string>
+
+#include "carom/core/checks.hpp"
+
+namespace carom {
+
+TimeOfImpact conservativeAdvancement(const std::function<Real(Real time)>& gap, Real fastest,
+                                     Real duration, Real tolerance, int maxSteps) {
+  if (!gap) reject("gap", "an empty function", "must be callable");
+  requirePositive(fastest, "fastest");
+  requireNonNegative(duration, "duration");
+  requirePositive(tolerance, "tolerance");
+  if (maxSteps < 1) reject("maxSteps", std::to_string(maxSteps), "must be positive");
+
+  TimeOfImpact result;
+  const auto look = [&] {
+    result.gap = gap(result.time);
+    requireFinite(result.gap, "gap");
+  };
+  look();
+  if (result.gap < -tolerance) {
+    result.status = ImpactStatus::kOverlapping;
+    return result;
+  }
+  while (result.gap > tolerance) {
+    if (result.time == duration) {
+      result.status = ImpactStatus::kNoHit;
+      return result;
+    }
+    if (result.steps == maxSteps) {
+      result.status = ImpactStatus::kLimit;
+      return result;
+    }
+    result.time = std::min(result.time + result.gap / fastest, duration);
+    ++result.steps;
+    look();
+  }
+  result.status = ImpactStatus::kHit;
+  return result;
+}
+
+}  // namespace carom

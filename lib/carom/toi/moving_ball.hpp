@@ -1,0 +1,27 @@
+#pragma once
+// A ball in straight motion.
+
+#include <string>
+
+#include "carom/core/checks.hpp"
+#include "carom/core/real.hpp"
+
+namespace carom {
+
+/// A ball that moves in a straight line. \ingroup toi
+struct MovingBall {
+  Real radius = 1;                     ///< zero or positive [m]
+  Vector3 centre = Vector3::Zero();    ///< at time zero [m, world]
+  Vector3 velocity = Vector3::Zero();  ///< [m/s, world]
+};
+
+/// Refuses a ball that cannot be worked with.
+/// \param ball any ball \param name what it is called, for the message
+/// \throws InvalidInput if a number is not finite or the radius negative \ingroup toi
+inline void requireUsable(const MovingBall& ball, const std::string& name) {
+  requireNonNegative(ball.radius, (name + ".radius").c_str());
+  requireFinite(ball.centre, (name + ".centre").c_str());
+  requireFinite(ball.velocity, (name + ".velocity").c_str());
+}
+
+}  // namespace carom

@@ -1,0 +1,79 @@
+#include "carom/toi/moving_core.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <type_traits>
+
+#include "carom/core/checks.hpp"
+#include "carom/core/cross.hpp"
+#include "carom/core/length.hpp"
+
+namespace carom::detail {
+namespace {
+
+// Calls visit(corner) for points of the body's frame whose hull holds the core.
+template <class Visit>
+void forEachCorner(const CoreShape& core, const Visit& visit) {
+  if (core.kind == CoreKind::hull) {
+    for (const Vector3& v : core.hull->vertices) visit(v);
+    return;
+  }
+  for (int i = 0; i < 8; ++i) {
+    const Vector3 signs(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1);
+    visit(Vector3(signs.cwiseProduct(core.extents)));
+  }
+}
+
+MovingCore movingCore(const CoreShape& core, const Sweep& sweep) {
+  MovingCore moving = {core, sweep};
+  const Real rate = length(sweep.angularVelocity);
+  const Vector3 axis = rate > 0 ? Vector3(sweep.angularVelocity / rate) : Vector3::Zero();
+  forEachCorner(core, [&](const Vector3& corner) {
+    const Vector3 arm = sweep.start.R_WB * (corner - sweep.centre);
+    moving.reach = std::max(moving.reach, length(arm));
+    moving.fromAxis = std::max(moving.fromAxis, length(cross(axis, arm)));
+  });
+  return moving;
+}
+
+}  // namespace
+
+std::vector<MovingCore> movingCores(const Shape& shape, const Sweep& sweep) {
+  std::vector<MovingCore> parts;
+  const auto add = [&](const auto& convex, const Pose& inBody) {
+    Sweep own = sweep;
+    own.start = composed(sweep.start, inBody);
+    own.centre = pointToBody(inBody, sweep.centre);
+    parts.push_back(movingCore(coreOf(convex), own));
+  };
+  std::visit(
+      [&](const auto& s) {
+        using S = std::decay_t<decltype(s)>;
+        if constexpr (std::is_same_v<S, Compound>) {
+          for (const CompoundPart& part : s.parts) {
+            std::visit([&](const auto& convex) { add(convex, part.pose); }, part.shape);
+          }
+        } else if constexpr (!std::is_same_v<S, HalfSpace>) {
+          add(s, Pose{});
+        }
+      },
+      shape);
+  return parts;
+}
+
+void requireSearchable(const Shape& a, const Sweep& A, const Shape& b, const Sweep& B,
+                       Real duration) {
+  requireUsable(A, "A");
+  requireUsable(B, "B");
+  requireNonNegative(duration, "duration");
+  const bool planeA = std::holds_alternative<HalfSpace>(a);
+  const bool planeB = std::holds_alternative<HalfSpace>(b);
+  if (planeA && planeB) reject("shapes", "two half-spaces", "must not both be without end");
+  for (const Sweep* plane : {planeA ? &A : nullptr, planeB ? &B : nullptr}) {
+    if (plane && !plane->angularVelocity.isZero(0)) {
+      reject("angularVelocity of a half-space", toText(plane->angularVelocity), "must be zero");
+    }
+  }
+}
+
+}  // namespace carom::detail
