@@ -258,6 +258,46 @@ void appendPoses(std::vector<std::uint16_t>& out, const std::vector<Frame>& fram
   }
 }
 
+// Steps in which the balls of a swarm are stored: a fiftieth of the radius, unless 16 bits do not
+// reach that far.
+Grid gridOf(const std::vector<Frame>& frames, std::size_t swarm, Real radius) {
+  Vector3 low = frames.front().swarms[swarm].front(), high = low;
+  for (const Frame& frame : frames) {
+    for (const Vector3& position : frame.swarms[swarm]) {
+      low = low.cwiseMin(position);
+      high = high.cwiseMax(position);
+    }
+  }
+  Grid grid;
+  grid.middle = low + (high - low) / 2;
+  grid.step = std::max(radius / 50, ((high - low) / 2).maxCoeff() / 32767);
+  return grid;
+}
+
+// The coordinates of each ball over all frames, as their differences from the straight line through
+// the two frames before. Of 10 000 balls most differences fit into a byte, whatever their sign: the
+// sign is put into the lowest bit, which leaves the high bytes zero.
+void appendSwarm(std::vector<std::uint16_t>& out, const std::vector<Frame>& frames,
+                 std::size_t swarm, Real radius) {
+  const Grid grid = gridOf(frames, swarm, radius);
+  const std::size_t balls = frames.front().swarms[swarm].size();
+  for (int axis = 0; axis < 3; ++axis) {
+    for (std::size_t ball = 0; ball < balls; ++ball) {
+      int last = 0, before = 0;
+      for (std::size_t f = 0; f < frames.size(); ++f) {
+        const Real offset = frames[f].swarms[swarm][ball][axis] - grid.middle[axis];
+        const int number = rounded(offset / grid.step);
+        const int expected = f >= 2 ? 2 * last - before : last;
+        const auto difference = static_cast<std::int16_t>(number - expected);
+        const unsigned sign = difference < 0 ? 0xffffu : 0u;
+        out.push_back(static_cast<std::uint16_t>((2 * static_cast<unsigned>(difference)) ^ sign));
+        before = last;
+        last = number;
+      }
+    }
+  }
+}
+
 // --- files ---
 
 void writeFile(const std::filesystem::path& path, std::string_view content) {
@@ -320,21 +360,29 @@ void Recording::requireAllFrames() const {
   }
 }
 
+void Recording::requireFreeName(const std::string& name) const {
+  if (name.empty()) throw InvalidInput("recording '" + title_ + "': a body needs a name");
+  const auto sameName = [&](const auto& other) { return other.name == name; };
+  if (std::any_of(bodies_.begin(), bodies_.end(), sameName) ||
+      std::any_of(swarms_.begin(), swarms_.end(), sameName)) {
+    throw InvalidInput("body '" + name + "': the name is taken");
+  }
+}
+
+Color Recording::nextColor() {
+  return kPalette[colorsUsed_++ % kPalette.size()];
+}
+
 void Recording::addAnyBody(Body body) {
   requireNoFrames("body '" + body.name + "'");
-  if (body.name.empty()) throw InvalidInput("recording '" + title_ + "': a body needs a name");
-  for (const Body& other : bodies_) {
-    if (other.name == body.name) throw InvalidInput("body '" + body.name + "': the name is taken");
-  }
+  requireFreeName(body.name);
   std::visit(ShapeCheck{body.name}, body.shape);
   if (!(body.style.opacity >= 0 && body.style.opacity <= 1)) {
     throw InvalidInput("body '" + body.name + "': opacity " + exactText(body.style.opacity) +
                        " must be 0 to 1");
   }
   if (!body.style.color) {
-    body.style.color = std::holds_alternative<Plane>(body.shape)
-                           ? kGray
-                           : kPalette[colorsUsed_++ % kPalette.size()];
+    body.style.color = std::holds_alternative<Plane>(body.shape) ? kGray : nextColor();
   }
   bodies_.push_back(std::move(body));
 }
@@ -347,6 +395,20 @@ std::size_t Recording::addBody(std::string name, Shape shape, BodyStyle style) {
 void Recording::addFixed(std::string name, Shape shape, Pose pose, BodyStyle style) {
   checkPose(pose, "body '" + name + "'");
   addAnyBody({std::move(name), std::move(shape), style, pose});
+}
+
+std::size_t Recording::addSwarm(std::string name, Swarm swarm) {
+  requireNoFrames("swarm '" + name + "'");
+  requireFreeName(name);
+  const ShapeCheck check{name};
+  if (swarm.count == 0) check.fail("a swarm needs at least one ball");
+  check.positive(swarm.radius, "radius");
+  if (!swarm.period.allFinite() || swarm.period.minCoeff() < 0) {
+    check.fail("period " + textOf(swarm.period) + " must be finite and not negative");
+  }
+  if (!swarm.color) swarm.color = nextColor();
+  swarms_.push_back({std::move(name), swarm});
+  return swarms_.size() - 1;
 }
 
 std::size_t Recording::addChannel(std::string name, std::string unit) {
@@ -434,6 +496,16 @@ void Recording::addFrame(Frame frame) {
       throw InvalidInput(where + ", arrow '" + arrows_[i].name + "' is not finite");
     }
   }
+  checkCount(frame.swarms.size(), swarms_.size(), "swarms", where);
+  for (std::size_t i = 0; i < swarms_.size(); ++i) {
+    const std::string swarm = where + ", swarm '" + swarms_[i].name + "'";
+    checkCount(frame.swarms[i].size(), swarms_[i].swarm.count, "positions", swarm);
+    for (const Vector3& position : frame.swarms[i]) {
+      if (!position.allFinite()) {
+        throw InvalidInput(swarm + ": position " + textOf(position) + " is not finite");
+      }
+    }
+  }
   current.frames.push_back(std::move(frame));
 }
 
@@ -467,27 +539,49 @@ std::string Recording::header() const {
   for (const ArrowKind& arrow : arrows_) {
     arrows.push_back({{"name", arrow.name}, {"color", json(arrow.color)}, {"scale", arrow.scale}});
   }
+  Json swarms = Json::array();
+  for (const SwarmKind& kind : swarms_) {
+    swarms.push_back({{"name", kind.name},
+                      {"count", kind.swarm.count},
+                      {"radius", kind.swarm.radius},
+                      {"color", json(*kind.swarm.color)},
+                      {"period", json(kind.swarm.period)}});
+  }
   Json cases = Json::array();
   for (const Case& one : cases_) {
-    Json grids = Json::array();
+    Json grids = Json::array(), swarmGrids = Json::array();
     for (std::size_t body = 0; body < movingBodies_; ++body) {
       const Grid grid = gridOf(one.frames, body);
       grids.push_back(Json::array({grid.middle.x(), grid.middle.y(), grid.middle.z(), grid.step}));
     }
-    cases.push_back({{"label", one.label}, {"frames", one.frames.size()}, {"grids", grids}});
+    for (std::size_t i = 0; i < swarms_.size(); ++i) {
+      const Grid grid = gridOf(one.frames, i, swarms_[i].swarm.radius);
+      swarmGrids.push_back(
+          Json::array({grid.middle.x(), grid.middle.y(), grid.middle.z(), grid.step}));
+    }
+    cases.push_back({{"label", one.label},
+                     {"frames", one.frames.size()},
+                     {"grids", grids},
+                     {"swarmGrids", swarmGrids}});
   }
   Json view{{"flat", view_.flat}, {"up", json(view_.up)}, {"direction", json(view_.direction)}};
   if (view_.target) view["target"] = json(*view_.target);
   if (view_.distance) view["distance"] = *view_.distance;
-  const Json all{
-      {"format", 1},   {"title", title_},  {"description", description_}, {"parameter", parameter_},
-      {"view", view},  {"bodies", bodies}, {"channels", channels},        {"arrows", arrows},
-      {"cases", cases}};
+  const Json all{{"format", 1},
+                 {"title", title_},
+                 {"description", description_},
+                 {"parameter", parameter_},
+                 {"view", view},
+                 {"bodies", bodies},
+                 {"channels", channels},
+                 {"arrows", arrows},
+                 {"swarms", swarms},
+                 {"cases", cases}};
   return all.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 // The numbers, in the order in which the player takes them: meshes, then per case times, channels,
-// arrows, poses.
+// arrows, poses, swarms.
 std::string Recording::motion() const {
   std::string bytes;
   for (const Body& body : bodies_) {
@@ -525,7 +619,12 @@ std::string Recording::motion() const {
     appendPlanes<std::uint64_t>(bytes, times);
     appendPlanes<std::uint64_t>(bytes, channels);
     appendPlanes<std::uint32_t>(bytes, arrows);
+    std::vector<std::uint16_t> swarms;
+    for (std::size_t i = 0; i < swarms_.size(); ++i) {
+      appendSwarm(swarms, one.frames, i, swarms_[i].swarm.radius);
+    }
     appendPlanes<std::uint16_t>(bytes, poses);
+    appendPlanes<std::uint16_t>(bytes, swarms);
   }
   return detail::base64(detail::deflated(bytes));
 }
@@ -575,6 +674,13 @@ void Recording::writeCsv(const std::filesystem::path& path) const {
       text += "," + csvTitle(body.name + part);
     }
   }
+  for (const SwarmKind& kind : swarms_) {
+    for (std::size_t ball = 1; ball <= kind.swarm.count; ++ball) {
+      for (const char* part : {" x [m]", " y [m]", " z [m]"}) {
+        text += "," + csvTitle(kind.name + " " + std::to_string(ball) + part);
+      }
+    }
+  }
   for (const Channel& channel : channels_) {
     text += "," + csvTitle(channel.unit.empty() ? channel.name
                                                 : channel.name + " [" + channel.unit + "]");
@@ -588,6 +694,11 @@ void Recording::writeCsv(const std::filesystem::path& path) const {
         for (const Real number :
              {pose.position.x(), pose.position.y(), pose.position.z(), q.w, q.x, q.y, q.z}) {
           text += "," + exactText(number);
+        }
+      }
+      for (const std::vector<Vector3>& swarm : frame.swarms) {
+        for (const Vector3& position : swarm) {
+          for (int axis = 0; axis < 3; ++axis) text += "," + exactText(position[axis]);
         }
       }
       for (const Real value : frame.channels) text += "," + exactText(value);

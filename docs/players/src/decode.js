@@ -54,7 +54,29 @@ export async function decode(header, base64) {
         poses[series * n + f] = part < 3 ? grid[part] + number * grid[3] : number / 8191;
       }
     }
-    return { label: one.label, frames: n, times, channels, arrows, poses };
+    const swarms = (header.swarms ?? []).map((swarm, s) => {
+      // In the file ball by ball, here frame by frame: x, y, z of all balls side by side, as they are drawn.
+      const { count } = swarm, [grid, step] = [one.swarmGrids[s], one.swarmGrids[s][3]];
+      return { count, grid, step, positions: new Float32Array(3 * count * n) };
+    });
+    const differences = planes.take(Uint16Array, 3 * n * swarms.reduce((sum, swarm) => sum + swarm.count, 0));
+    let at = 0;
+    for (const { count, grid, step, positions } of swarms) {
+      for (let axis = 0; axis < 3; ++axis) {
+        for (let ball = 0; ball < count; ++ball) {
+          let last = 0, before = 0;
+          for (let f = 0; f < n; ++f) {
+            const packed = differences[at++];
+            const expected = f >= 2 ? 2 * last - before : last;
+            const number = (((packed >>> 1) ^ -(packed & 1)) + expected) << 16 >> 16;
+            before = last;
+            last = number;
+            positions[3 * (f * count + ball) + axis] = grid[axis] + number * step;
+          }
+        }
+      }
+    }
+    return { label: one.label, frames: n, times, channels, arrows, poses, swarms: swarms.map(swarm => swarm.positions) };
   });
 }
 
@@ -68,4 +90,16 @@ export function poseAt(one, body, f, part, position, quaternion) {
   const sign = dot < 0 ? -1 : 1;
   const q = k => (1 - part) * p[at + k * n] + part * sign * p[at + k * n + next];
   quaternion.set(q(4), q(5), q(6), q(3)).normalize();
+}
+
+// The positions of a swarm between frames f and f+1, on straight lines; through the sides of a periodic box the short way.
+export function swarmAt(one, swarm, s, f, part, place) {
+  const { count, period } = swarm, positions = one.swarms[s];
+  const now = 3 * count * f, next = f + 1 < one.frames ? now + 3 * count : now;
+  for (let i = 0; i < 3 * count; ++i) {
+    const here = positions[now + i], edge = period[i % 3];
+    let step = positions[next + i] - here;
+    if (edge > 0) step -= edge * Math.round(step / edge);
+    place[i] = here + part * step;
+  }
 }

@@ -93,7 +93,7 @@ class Player {
     this.view.setAttribute('aria-label', `${header.title}: moving picture. Space plays and pauses, arrow keys step.`);
     const canvas = element('canvas');
     canvas.setAttribute('role', 'img');
-    const names = header.bodies.filter(b => !b.pose).map(b => b.name);
+    const names = [...header.bodies.filter(b => !b.pose), ...(header.swarms ?? [])].map(b => b.name);
     canvas.setAttribute('aria-label', header.description || `${header.title}. Bodies: ${names.slice(0, 12).join(', ')}.`);
     const { renderer, plain } = makeRenderer(canvas);
     this.renderer = renderer;
@@ -156,7 +156,7 @@ class Player {
 
   nameList() {
     const list = element('ul', 'carom-names');
-    const bodies = this.header.bodies.filter(body => body.type !== 'plane');
+    const bodies = [...this.header.bodies.filter(body => body.type !== 'plane'), ...(this.header.swarms ?? [])];
     if (bodies.length <= 8) {
       for (const body of bodies) {
         const item = element('li'), dot = element('span');

@@ -1,6 +1,6 @@
 // Bodies, light and camera.
 import * as THREE from 'three';
-import { poseAt } from './decode.js';
+import { poseAt, swarmAt } from './decode.js';
 
 const edgeAngle = 20;  // degrees between two faces from which their common edge is drawn
 
@@ -141,6 +141,52 @@ function bodyObject(body, flat) {
   return group;
 }
 
+// All balls of a swarm in one object: for each a square that faces the eye, on which a ball is painted. Ten thousand balls
+// of triangles would be a million of them, too many for a machine without a graphics processor.
+function swarmObject(swarm, flat) {
+  const geometry = new THREE.BufferGeometry();
+  geometry.setAttribute('position', new THREE.BufferAttribute(new Float32Array(3 * swarm.count), 3).setUsage(THREE.DynamicDrawUsage));
+  const material = new THREE.ShaderMaterial({
+    uniforms: { color: { value: new THREE.Color(swarm.color) }, radius: { value: swarm.radius }, height: { value: 1 } },
+    defines: flat ? { FLAT: 1 } : {},
+    alphaToCoverage: true,
+    // One pixel more on each side, for the soft edge.
+    vertexShader: `
+      uniform float radius, height;
+      varying float pixels;
+      void main() {
+        gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
+        pixels = radius * height * projectionMatrix[1][1] / gl_Position.w;
+        gl_PointSize = pixels + 2.0;
+      }`,
+    fragmentShader: `
+      uniform vec3 color;
+      varying float pixels;
+      void main() {
+        float pixel = 2.0 / pixels;  // in radii
+        vec2 p = vec2(1.0, -1.0) * (2.0 * gl_PointCoord - 1.0) * (1.0 + pixel);
+        float edge = length(p);
+        if (edge > 1.0 + pixel) discard;
+        #ifdef FLAT
+          float light = 1.0, rim = 0.3;
+        #else
+          float light = 0.35 + 0.75 * max(0.0, dot(vec3(p, sqrt(max(0.0, 1.0 - edge * edge))), vec3(0.32, 0.48, 0.82)));
+          float rim = 0.5;
+        #endif
+        light *= 1.0 - rim * smoothstep(1.0 - 1.5 * pixel, 1.0, edge);
+        gl_FragColor = vec4(color * light, 1.0 - smoothstep(1.0 - 0.5 * pixel, 1.0 + 0.5 * pixel, edge));
+        #include <colorspace_fragment>
+      }`,
+  });
+  const points = new THREE.Points(geometry, material);
+  const size = new THREE.Vector2();
+  points.onBeforeRender = renderer => { material.uniforms.height.value = renderer.getDrawingBufferSize(size).y; };
+  points.name = swarm.name;
+  points.frustumCulled = false;
+  points.userData = { radius: swarm.radius, color: swarm.color };
+  return points;
+}
+
 function boundingRadius(body) {
   switch (body.type) {
     case 'ball': case 'disc': return body.radius;
@@ -237,6 +283,21 @@ export class Stage {
       this.bodies.push(object);
       this.scene.add(object);
     }
+    this.swarms = (header.swarms ?? []).map((swarm, s) => {
+      const reach = new THREE.Vector3(swarm.radius, swarm.radius, swarm.radius), extent = new THREE.Box3();
+      const p = new THREE.Vector3();
+      for (const one of cases) {
+        for (let i = 0; i < one.swarms[s].length; i += 3) extent.expandByPoint(p.fromArray(one.swarms[s], i));
+      }
+      for (let corner = 0; corner < 8; ++corner) {
+        this.samples.push({ radius: swarm.radius, p: new THREE.Vector3((corner & 1 ? extent.max : extent.min).x,
+          (corner & 2 ? extent.max : extent.min).y, (corner & 4 ? extent.max : extent.min).z) });
+      }
+      box.expandByPoint(extent.min.sub(reach)).expandByPoint(extent.max.add(reach));
+      const points = swarmObject(swarm, this.flat);
+      this.scene.add(points);
+      return { swarm, place: points.geometry.getAttribute('position') };
+    });
     if (box.isEmpty()) box.copy(floorBox);
     if (box.isEmpty()) box.set(new THREE.Vector3(-1, -1, -1), new THREE.Vector3(1, 1, 1));
     this.box = box;
@@ -371,6 +432,10 @@ export class Stage {
     for (const { object, index } of this.moving) {
       poseAt(this.case, index, f, part, object.position, object.quaternion);
     }
+    this.swarms.forEach(({ swarm, place }, s) => {
+      swarmAt(this.case, swarm, s, f, part, place.array);
+      place.needsUpdate = true;
+    });
     for (const trail of this.trails) trail.line.geometry.setDrawRange(0, f + 1);
     const n = this.case.frames, next = f + 1 < n ? 1 : 0;
     this.arrows.forEach((helper, a) => {

@@ -4,6 +4,28 @@ import * as THREE from 'three';
 
 const mostTriangles = 60000;
 
+// A picture of a ball, or of a disc: copying it ten thousand times is faster than drawing as many circles.
+function ballPicture(color, flat) {
+  const canvas = document.createElement('canvas');
+  canvas.width = canvas.height = 32;
+  const g = canvas.getContext('2d');
+  g.beginPath();
+  g.arc(16, 16, 14.5, 0, 2 * Math.PI);
+  g.fillStyle = color;
+  g.fill();
+  if (!flat) {
+    g.fillStyle = g.createRadialGradient(11, 9, 1, 16, 16, 16);
+    g.fillStyle.addColorStop(0, '#ffffff50');
+    g.fillStyle.addColorStop(0.5, '#00000000');
+    g.fillStyle.addColorStop(1, '#00000080');
+    g.fill();
+  }
+  g.lineWidth = 2;
+  g.strokeStyle = '#00000060';
+  g.stroke();
+  return canvas;
+}
+
 // The part of a polygon or line in front of the eye, in clip coordinates: where w is at least a little.
 function inFront(corners) {
   const least = 1e-6;
@@ -41,7 +63,8 @@ export class SoftwareRenderer {
     const light = new THREE.Vector3(0.3, 0.2, 1).normalize().transformDirection(camera.matrixWorld);
     const pieces = [];
     scene.traverseVisible(object => {
-      if ((object.isMesh || object.isLine) && pieces.length < mostTriangles) {
+      if (object.isPoints) this.collectSwarm(object, camera, toClip, pieces);
+      else if ((object.isMesh || object.isLine) && pieces.length < mostTriangles) {
         this.collect(object, camera, toClip, light, pieces);
       }
     });
@@ -50,6 +73,11 @@ export class SoftwareRenderer {
     for (const piece of pieces) {
       g.globalAlpha = piece.opacity;
       g.beginPath();
+      if (piece.ball) {
+        const [{ x, y }] = piece.points, r = piece.radius;
+        g.drawImage(piece.ball, x - r, y - r, 2 * r, 2 * r);
+        continue;
+      }
       piece.points.forEach((p, i) => (i ? g.lineTo(p.x, p.y) : g.moveTo(p.x, p.y)));
       if (piece.points.length > 2) {
         g.closePath();
@@ -64,6 +92,20 @@ export class SoftwareRenderer {
       }
     }
     g.globalAlpha = 1;
+  }
+
+  // Balls that do not turn are circles, as large as they are far away.
+  collectSwarm(swarm, camera, toClip, pieces) {
+    const { width, height } = this.domElement, { radius, color } = swarm.userData;
+    const ball = swarm.userData.ball ??= ballPicture(color, camera.isOrthographicCamera);
+    const position = swarm.geometry.getAttribute('position'), scale = camera.projectionMatrix.elements[5] * height / 2;
+    const c = new THREE.Vector4();
+    for (let i = 0; i < position.count; ++i) {
+      c.set(position.getX(i), position.getY(i), position.getZ(i), 1).applyMatrix4(toClip);
+      if (c.w <= 0) continue;
+      const point = { x: (c.x / c.w + 1) / 2 * width, y: (1 - c.y / c.w) / 2 * height };
+      pieces.push({ points: [point], ball, radius: radius * scale / c.w, depth: c.z / c.w, opacity: 1, floor: 0, order: 0 });
+    }
   }
 
   collect(object, camera, toClip, light, pieces) {

@@ -263,3 +263,98 @@ TEST_CASE("a recording without frames writes nothing") {
   recording.addFrame({.time = 0, .poses = {{}}});
   CHECK_THROWS_AS(recording.writeHtml(scratch.file("no/folder/a.html")), io::RecordingFileError);
 }
+
+TEST_CASE("the page holds where the balls of a swarm are, to a hundredth of their radius") {
+  io::Recording recording("Swarms");
+  recording.addBody("one", io::Ball{});
+  recording.addSwarm("few", {.count = 3, .radius = 0.1});
+  recording.addSwarm("far", {.count = 2, .radius = 0.001, .period = {0, 2000, 0}});
+  constexpr int kFrames = 20;
+  std::vector<io::Frame> frames;
+  for (int i = 0; i < kFrames; ++i) {
+    const Real t = i;
+    io::Frame frame{.time = t, .poses = {turned(t, 0, 0, 0)}};
+    // Straight, in a circle, at rest; and jumps from side to side, further than 16 bits of a
+    // fiftieth of the radius reach.
+    frame.swarms = {{{t, -t, 0}, {std::sin(t), std::cos(t), 3}, {1, 2, 3}},
+                    {{0, i % 2 == 0 ? -1000.0 : 1000.0, t}, {5, 5, 5}}};
+    frames.push_back(frame);
+    recording.addFrame(frame);
+  }
+  const Scratch scratch;
+  recording.writeHtml(scratch.file("a.html"));
+  const std::string html = Scratch::read(scratch.file("a.html"));
+  const nlohmann::json header = nlohmann::json::parse(scriptElement(html, "carom-header"));
+  REQUIRE(header["swarms"].size() == 2);
+  CHECK(header["swarms"][0]["name"] == "few");
+  CHECK(header["swarms"][1]["period"][1] == 2000);
+  CHECK(header["swarms"][0]["color"] != header["swarms"][1]["color"]);
+
+  Unpacker unpacker(inflated(fromBase64(scriptElement(html, "carom-motion"))));
+  unpacker.take<std::uint64_t>(kFrames);      // times
+  unpacker.take<std::uint16_t>(7 * kFrames);  // the body
+  const std::vector<std::uint16_t> stored = unpacker.take<std::uint16_t>(3 * 5 * kFrames);
+  CHECK(unpacker.left() == 0);
+  std::size_t at = 0;
+  for (std::size_t swarm = 0; swarm < 2; ++swarm) {
+    const nlohmann::json grid = header["cases"][0]["swarmGrids"][swarm];
+    const Real step = grid[3].get<Real>();
+    CHECK_THAT(step, WithinAbs(swarm == 0 ? 0.002 : 1000.0 / 32767, 1e-12));
+    for (int axis = 0; axis < 3; ++axis) {
+      for (std::size_t ball = 0; ball < frames[0].swarms[swarm].size(); ++ball) {
+        std::vector<std::int16_t> numbers;
+        for (std::size_t f = 0; f < kFrames; ++f) {
+          // The lowest bit is the sign: 0, 1, 2, 3, 4 stand for 0, -1, 1, -2, 2.
+          const int packed = stored[at++];
+          const int difference = packed % 2 == 0 ? packed / 2 : -(packed + 1) / 2;
+          const int expected = f >= 2   ? 2 * numbers[f - 1] - numbers[f - 2]
+                               : f == 1 ? numbers[0]
+                                        : 0;
+          numbers.push_back(static_cast<std::int16_t>(difference + expected));
+          CHECK_THAT(grid[static_cast<std::size_t>(axis)].get<Real>() + numbers[f] * step,
+                     WithinAbs(frames[f].swarms[swarm][ball][axis], 0.501 * step));
+        }
+      }
+    }
+  }
+}
+
+TEST_CASE("the balls of a swarm stand in the CSV file by number") {
+  io::Recording recording("Swarms");
+  recording.addSwarm("crowd", {.count = 2});
+  recording.addFrame({.time = 0.5, .swarms = {{{1, 2, 3}, {-1, 0.1, 0}}}});
+  const Scratch scratch;
+  recording.writeCsv(scratch.file("a.csv"));
+  CHECK(Scratch::read(scratch.file("a.csv")) ==
+        "case,t [s],crowd 1 x [m],crowd 1 y [m],crowd 1 z [m],crowd 2 x [m],crowd 2 y [m],"
+        "crowd 2 z [m]\n,0.5,1,2,3,-1,0.1,0\n");
+}
+
+TEST_CASE("swarms that cannot be drawn are refused by name") {
+  io::Recording recording("Swarms");
+  const auto refused = [&](const std::string& name, const io::Swarm& swarm, const char* why) {
+    CHECK_THROWS_WITH(recording.addSwarm(name, swarm), ContainsSubstring(why));
+  };
+  recording.addBody("ball", io::Ball{});
+  refused("ball", {}, "the name is taken");
+  refused("", {}, "needs a name");
+  refused("none", {.count = 0}, "'none': a swarm needs at least one ball");
+  refused("flat", {.radius = 0}, "radius 0 must be finite and positive");
+  refused("torus", {.period = {0, -1, 0}}, "must be finite and not negative");
+  recording.addSwarm("crowd", {.count = 2});
+  CHECK_THROWS_WITH(recording.addBody("crowd", io::Ball{}), ContainsSubstring("the name is taken"));
+
+  const io::Frame sound{.time = 1, .poses = {{}}, .swarms = {{{0, 0, 0}, {1, 0, 0}}}};
+  io::Frame bad = sound;
+  bad.swarms = {};
+  CHECK_THROWS_WITH(recording.addFrame(bad), ContainsSubstring("swarms"));
+  bad = sound;
+  bad.swarms[0].pop_back();
+  CHECK_THROWS_WITH(recording.addFrame(bad), ContainsSubstring("swarm 'crowd' has 1 positions"));
+  bad = sound;
+  bad.swarms[0][1].z() = 1.0 / 0.0;
+  CHECK_THROWS_WITH(recording.addFrame(bad), ContainsSubstring("swarm 'crowd': position"));
+  CHECK(recording.frameCount() == 0);
+  recording.addFrame(sound);
+  CHECK_THROWS_WITH(recording.addSwarm("late", {}), ContainsSubstring("before the first frame"));
+}
