@@ -14,15 +14,16 @@ BasicCellPosition<Number> carried(BasicCellPosition<Number> p) {
   for (int i = 0; i < 3; ++i) {
     const auto k = static_cast<std::size_t>(i);
     const Number cells = std::round(p.offset(i) / static_cast<Number>(kCellSize));
-    if (cells == 0) continue;  // as in nearly every step
-    if (!(std::abs(cells) < 0x1p53)) {
-      reject("coordinate", toText(Real(p.offset(i))), "must be finite and within 2^53 cells");
+    if (cells != 0) {  // in few steps only
+      if (!(std::abs(cells) < 0x1p53)) {
+        reject("coordinate", toText(Real(p.offset(i))), "must be finite and within 2^53 cells");
+      }
+      p.cell[k] += static_cast<std::int64_t>(cells);
+      p.offset(i) -= cells * static_cast<Number>(kCellSize);  // exact: what is left is a remainder
     }
-    p.cell[k] += static_cast<std::int64_t>(cells);
     if (p.cell[k] > kLast || p.cell[k] < -kLast) {
       reject("cell", std::to_string(p.cell[k]), "must be within 2^53");
     }
-    p.offset(i) -= cells * static_cast<Number>(kCellSize);  // exact: what is left is a remainder
   }
   return p;
 }

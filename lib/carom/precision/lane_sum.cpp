@@ -9,14 +9,20 @@ namespace carom {
 Real compensatedSumInLanes(std::span<const Real> terms) {
   if (takesPlainPath()) return compensatedSum(terms);
   constexpr std::size_t kLanes = 8;
-  NeumaierSum lanes[kLanes];
+  Real sums[kLanes] = {}, lost[kLanes] = {};
   const std::size_t whole = terms.size() / kLanes * kLanes;
   for (std::size_t i = 0; i < whole; i += kLanes) {
-    for (std::size_t lane = 0; lane < kLanes; ++lane) lanes[lane].add(terms[i + lane]);
+    for (std::size_t lane = 0; lane < kLanes; ++lane) {
+      const TwoSum next = twoSum(sums[lane], terms[i + lane]);
+      sums[lane] = next.sum;
+      lost[lane] += next.error;
+    }
   }
-  for (std::size_t i = whole; i < terms.size(); ++i) lanes[i - whole].add(terms[i]);
-  for (std::size_t lane = 1; lane < kLanes; ++lane) lanes[0].add(lanes[lane]);
-  return lanes[0].value();
+  NeumaierSum sum;
+  for (const Real part : sums) sum.add(part);
+  for (const Real part : lost) sum.add(part);
+  for (const Real term : terms.subspan(whole)) sum.add(term);
+  return sum.value();
 }
 
 }  // namespace carom

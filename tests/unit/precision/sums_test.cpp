@@ -4,9 +4,14 @@
 #include <vector>
 
 #include "carom/core/errors.hpp"
+#include "carom/core/random.hpp"
+#include "carom/precision/compensated_sum.hpp"
 #include "carom/precision/dot_product.hpp"
 #include "carom/precision/exact_sum.hpp"
+#include "carom/precision/lane_sum.hpp"
 #include "carom/precision/neumaier_sum.hpp"
+#include "carom/precision/sums.hpp"
+#include "carom/precision/ulp_distance.hpp"
 #include "exact_integers.hpp"
 #include "support/catch.hpp"
 
@@ -156,4 +161,31 @@ TEST_CASE("a dot product of lists of different length is refused") {
   const std::array<Real, 3> a{1, 2, 3};
   const std::array<Real, 2> b{1, 2};
   CHECK_THROWS_WITH(compensatedDot(a, b), "length of b = 2 must be the length of a, 3");
+}
+
+TEST_CASE("sums in lanes of any number of terms are the exact sum, rounded once") {
+  Random random(35);
+  for (const std::size_t count : {0u, 1u, 7u, 8u, 9u, 63u, 64u, 1000u, 10000000u}) {
+    std::vector<Real> terms(count);
+    for (Real& term : terms) {
+      term = std::ldexp(random.between(-1, 1), random.integer(-30, 30));
+    }
+    const Real reference = exact(terms);
+    CHECK(ulpDistance(compensatedSumInLanes(terms), reference) <= 1);
+    CHECK(ulpDistance(compensatedSum(terms), reference) <= 1);
+    if (count > 1000) CHECK(ulpDistance(plainSum<Real>(terms), reference) > 100);
+  }
+}
+
+TEST_CASE("the errors of pairwise and of Kahan's sum stay small where the plain sum's grows") {
+  const std::vector<float> tenths(10000000, 0.1f);
+  const auto error = [](float sum) { return std::abs(Real(sum) / (1e7 * Real(0.1f)) - 1); };
+  const std::span<const float> terms = tenths;
+  CHECK(error(plainSum(terms)) > 0.05);
+  CHECK(error(pairwiseSum(terms)) < 2e-6);
+  CHECK(error(kahanSum(terms)) < 1.2e-7);
+  // Neumaier's error has a part that grows with the square of n: not for so many floats.
+  CHECK(error(neumaierSum(terms)) > 1e-3);
+  const float few = neumaierSum(terms.first(10000));
+  CHECK(std::abs(Real(few) / (1e4 * Real(0.1f)) - 1) < 6.1e-8);
 }
