@@ -38,7 +38,32 @@ Real untilNone(Real excess, Real slope, Real bend) {
   return bend < 0 ? (slope + root) / -bend : std::numeric_limits<Real>::infinity();
 }
 
-// How large the gap of a pair is at least, some time from now, along a normal that stays.
+// A pair at one moment, all that its gap can be bounded by.
+struct Moment {
+  const MovingCore& a;
+  const MovingCore& b;
+  const PlacedCore& coreA;
+  const PlacedCore& coreB;
+  Vector3 between;       // from the centre of A to that of B [m]
+  Vector3 velocity;      // of B's centre against A's [m/s]
+  Vector3 acceleration;  // the same [m/s^2]
+  Vector3 normal;        // of the gap
+};
+
+// How long at least the gap stays at `least` or more, by what needs no support point: that no body
+// reaches farther than its farthest corner, and none turns faster than that.
+Real simpleAdvance(const Moment& m, Real gap, Real least) {
+  const Real speed = m.normal.dot(m.velocity);
+  const Real pull = std::min(Real(0), m.normal.dot(m.acceleration));
+  const Real outside = m.normal.dot(m.between) - m.a.reach - m.b.reach;
+  const Real far = untilNone(outside - m.a.core.radius - m.b.core.radius - least, speed, pull);
+  const Real turning = length(cross(m.normal, m.a.sweep.angularVelocity)) * m.a.fromAxis +
+                       length(cross(m.normal, m.b.sweep.angularVelocity)) * m.b.fromAxis;
+  return std::max(far, untilNone(gap - least, speed - turning, pull));
+}
+
+// How large the gap is at least, for a while, along a normal that turns with `spin`. Any spin makes
+// a bound; it is a good one if it is how the true normal turns.
 class GapBound {
  public:
   struct Value {
@@ -46,81 +71,68 @@ class GapBound {
     Real slope = 0;  // of the bound [m/s]
   };
 
-  GapBound(const MovingCore& a, const PlacedCore& coreA, const MovingCore& b,
-           const PlacedCore& coreB, const Vector3& betweenCentres, Real now, const Vector3& normal)
-      : coreA_(coreA),
-        coreB_(coreB),
-        normal_(normal),
-        leanA_(cross(normal, a.sweep.angularVelocity)),
-        leanB_(cross(normal, b.sweep.angularVelocity)),
-        centreA_(coreA.R_WB * a.sweep.centre),
-        centreB_(coreB.R_WB * b.sweep.centre) {
-    radii_ = a.core.radius + b.core.radius;
-    gap_ = normal.dot(betweenCentres);
-    const Vector3 acceleration = b.sweep.acceleration - a.sweep.acceleration;
-    speed_ = normal.dot(b.sweep.velocity - a.sweep.velocity) + now * normal.dot(acceleration);
-    pull_ = std::min(Real(0), normal.dot(acceleration));
-    reach_ = a.reach + b.reach;
-    // Points turn across the axis only: what of the normal is along the axis sees nothing of it.
-    turning_ = length(leanA_) * a.fromAxis + length(leanB_) * b.fromAxis;
-    bend_ = pull_ - length(a.sweep.angularVelocity) * length(leanA_) * a.fromAxis -
-            length(b.sweep.angularVelocity) * length(leanB_) * b.fromAxis;
+  // Holds for times from zero to `horizon`.
+  GapBound(const Moment& m, const Vector3& spin, Real horizon)
+      : m_(m),
+        leanA_(cross(m.normal, Vector3(m.a.sweep.angularVelocity - spin))),
+        leanB_(cross(m.normal, Vector3(m.b.sweep.angularVelocity - spin))),
+        centreA_(m.coreA.R_WB * m.a.sweep.centre),
+        centreB_(m.coreB.R_WB * m.b.sweep.centre) {
+    gap_ = m.normal.dot(m.between) - m.a.core.radius - m.b.core.radius;
+    speed_ = m.normal.dot(m.velocity) + cross(spin, m.normal).dot(m.between);
+    const Real rate = length(spin);
+    if (rate == 0) {
+      // Points turn across the axis only: what of the normal is along the axis sees nothing of it.
+      bend_ = std::min(Real(0), m.normal.dot(m.acceleration)) -
+              length(m.a.sweep.angularVelocity) * length(leanA_) * m.a.fromAxis -
+              length(m.b.sweep.angularVelocity) * length(leanB_) * m.b.fromAxis;
+    } else {
+      // The second derivative of (turned normal) . (turned arm): M'' = [w-s][w] - [s][w-s].
+      const auto ofTurning = [&](const MovingCore& body) {
+        const Vector3& w = body.sweep.angularVelocity;
+        return length(Vector3(w - spin)) * (length(w) + rate) * body.reach;
+      };
+      const Real pull = length(m.acceleration), fastest = length(m.velocity) + pull * horizon;
+      const Real farthest = length(m.between) + fastest * horizon;
+      bend_ =
+          -(rate * rate * farthest + 2 * rate * fastest + pull) - ofTurning(m.a) - ofTurning(m.b);
+    }
   }
 
   Value at(Real later) const {
-    const Vector3 towardsB = normal_ + later * leanA_, towardsA = normal_ + later * leanB_;
-    const Vector3 armA = coreA_.support(towardsB, 0).point - centreA_;
-    const Vector3 armB = coreB_.support(-towardsA, 0).point - centreB_;
-    return {gap_ + later * speed_ + towardsA.dot(armB) - towardsB.dot(armA) +
-                later * later / 2 * bend_ - radii_,
+    const Vector3 forA = m_.normal + later * leanA_, forB = m_.normal + later * leanB_;
+    const Vector3 armA = m_.coreA.support(forA, 0).point - centreA_;
+    const Vector3 armB = m_.coreB.support(-forB, 0).point - centreB_;
+    return {gap_ + later * speed_ + forB.dot(armB) - forA.dot(armA) + later * later / 2 * bend_,
             speed_ + leanB_.dot(armB) - leanA_.dot(armA) + later * bend_};
   }
 
-  // How long at least the gap stays at `least` or more, by what needs no support point: that no
-  // body reaches farther than its farthest corner, and none turns faster than that.
-  Real simpleAdvance(Real startGap, Real least) const {
-    const Real far = untilNone(gap_ - reach_ - radii_ - least, speed_, pull_);
-    return std::max(far, untilNone(startGap - least, speed_ - turning_, pull_));
-  }
-
-  // When the tangent at the start, bent as far as it can be, comes down to `least`: not later than
-  // that, this bound does.
+  // When the tangent at the start, bent as far as it can be, comes down to `least`: the bound does
+  // so then or before.
   Real latest(const Value& start, Real least) const {
     return untilNone(start.gap - least, start.slope, bend_);
   }
 
  private:
-  const PlacedCore& coreA_;
-  const PlacedCore& coreB_;
-  Vector3 normal_, leanA_, leanB_, centreA_, centreB_;
-  Real gap_ = 0, speed_ = 0, radii_ = 0;
-  Real pull_ = 0;     // the most that acceleration can close the gap [m/s^2], zero or less
-  Real reach_ = 0;    // of both bodies
-  Real turning_ = 0;  // the most that turning can close the gap [m/s]
-  Real bend_ = 0;     // of acceleration and turning together [m/s^2], zero or less
+  const Moment& m_;
+  Vector3 leanA_, leanB_, centreA_, centreB_;
+  Real gap_ = 0, speed_ = 0, bend_ = 0;
 };
 
-// How long the bound stays at `least` or more, up to `remaining`; nearly, and never longer. The
-// bound is concave, so a chord lies below it and a tangent above.
-Real safeAdvance(const GapBound& bound, Real least, Real remaining) {
+// How long the bound stays at `least` or more, up to `horizon`; nearly, and never longer. The bound
+// is concave, so a chord lies below it and a tangent above.
+Real safeAdvance(const GapBound& bound, Real least, Real horizon) {
   const GapBound::Value start = bound.at(0);
   if (!(start.gap > least)) return 0;
-  GapBound::Value end = bound.at(remaining);
-  if (end.gap >= least) return remaining;
-
-  const Real simple = bound.simpleAdvance(start.gap, least);
-  if (simple >= remaining) return remaining;
-  Real low = 0, lowGap = start.gap, high = remaining;
-  if (const Real latest = bound.latest(start, least); latest < high) {
-    high = latest;
-    end = bound.at(high);
-    if (end.gap >= least) return std::max(simple, high);
-  }
+  Real low = 0, lowGap = start.gap;
+  Real high = std::min(horizon, bound.latest(start, least));
+  GapBound::Value end = bound.at(high);
+  if (end.gap >= least) return high;
   Real chord = 0;
   for (int i = 0; i < 50; ++i) {
     chord = low + (lowGap - least) / (lowGap - end.gap) * (high - low);
     const Real tangent = end.slope < 0 ? high - (end.gap - least) / end.slope : high;
-    if (!(tangent > chord) || chord >= 0.99 * tangent || tangent <= simple) break;
+    if (!(tangent > chord) || chord >= 0.99 * tangent) break;
     const GapBound::Value left = bound.at(chord);
     if (left.gap >= least) {
       low = chord;
@@ -129,10 +141,26 @@ Real safeAdvance(const GapBound& bound, Real least, Real remaining) {
     if (tangent < high) {
       high = tangent;
       end = bound.at(high);
-      if (end.gap >= least) return std::max(simple, high);
+      if (end.gap >= least) return high;
     }
   }
-  return std::max(simple, chord);
+  return chord;
+}
+
+// The longest step that one of the bounds allows. `spin`: how the normal seems to turn. The normal
+// of a half-space does not.
+Real longestAdvance(const Moment& m, bool plane, const Vector3& spin, Real gap, Real least,
+                    Real remaining) {
+  Real best = std::max(simpleAdvance(m, gap, least),
+                       safeAdvance(GapBound(m, Vector3::Zero(), remaining), least, remaining));
+  if (plane) return std::min(best, remaining);
+  for (const Vector3& turn : {spin, m.a.sweep.angularVelocity, m.b.sweep.angularVelocity}) {
+    if (best >= remaining) return remaining;
+    if (turn.isZero(0)) continue;
+    const Real horizon = std::min(remaining, 4 * best);
+    best = std::max(best, safeAdvance(GapBound(m, turn, horizon), least, horizon));
+  }
+  return std::min(best, remaining);
 }
 
 class Pair {
@@ -148,6 +176,8 @@ class Pair {
   TimeOfImpact search(Real duration, const ContactSearch& wanted) {
     TimeOfImpact result;
     Real now = 0;
+    Vector3 lastNormal = Vector3::Zero();
+    Real lastAdvance = 0;
     while (true) {
       const Matrix3 turnA = poseAt(a_.sweep, now).R_WB, turnB = poseAt(b_.sweep, now).R_WB;
       const PlacedCore coreA(a_.core, turnA), coreB(b_.core, turnB);
@@ -156,6 +186,9 @@ class Pair {
       const Separation found = separation(coreA, turnA, coreB, turnB, origins);
       const Real rounding = kUlp * (4 * centres.cwiseAbs().maxCoeff() + 8 * (a_.reach + b_.reach));
       const Real tolerance = std::max(wanted.tolerance, 3 * rounding);
+
+      const Vector3 spin = lastAdvance > 0 ? Vector3(cross(lastNormal, found.normal) / lastAdvance)
+                                           : Vector3::Zero();
 
       const auto endWith = [&](ImpactStatus status) {
         const Vector3 origin = poseAt(a_.sweep, now).p_WB;
@@ -174,15 +207,26 @@ class Pair {
       if (found.separation <= tolerance) return endWith(ImpactStatus::kHit);
       if (result.steps == wanted.maxSteps) return endWith(ImpactStatus::kLimit);
 
-      const GapBound bound(a_, coreA, b_, coreB, centres, now, found.normal);
+      const Moment moment = {a_,
+                             b_,
+                             coreA,
+                             coreB,
+                             centres,
+                             (b_.sweep.velocity - a_.sweep.velocity) +
+                                 now * (b_.sweep.acceleration - a_.sweep.acceleration),
+                             b_.sweep.acceleration - a_.sweep.acceleration,
+                             found.normal};
       const Real remaining = duration - now;
-      const Real advance = safeAdvance(bound, tolerance / 3, remaining);
+      const Real advance = longestAdvance(moment, plane_.has_value(), spin, found.separation,
+                                          tolerance / 3, remaining);
       if (advance >= remaining) {
         result.status = ImpactStatus::kNoHit;
         return result;
       }
       ++result.steps;
       if (now + advance == now) return endWith(ImpactStatus::kHit);  // the clock is too coarse
+      lastNormal = found.normal;
+      lastAdvance = advance;
       now += advance;
     }
   }
