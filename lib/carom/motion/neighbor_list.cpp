@@ -13,11 +13,13 @@ void NeighborList::collect(CellGrid& cells, const ParticleBox& box,
   const auto append = [&](const Vector3& from, std::int32_t begin, std::int32_t end) {
     const auto room = static_cast<std::size_t>(used_ + (end - begin) + 1);
     if (partners_.size() < room) partners_.resize(room + room / 2);
+    std::int32_t* next = partners_.data() + used_;
     for (std::int32_t j = begin; j < end; ++j) {
-      partners_[static_cast<std::size_t>(used_)] = j;
+      *next = j;
       const Vector3 d = positions[static_cast<std::size_t>(j)] - from;
-      used_ += d.squaredNorm() < reachSquared;
+      next += d.squaredNorm() < reachSquared;
     }
+    used_ = static_cast<std::int32_t>(next - partners_.data());
   };
   const auto endRow = [&](std::int32_t particle, std::int32_t first, int image) {
     if (used_ == first) return;

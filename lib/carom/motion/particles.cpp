@@ -241,14 +241,18 @@ void Particles::addPairs(std::int32_t particle, const Vector3& from,
     x[k] *= factor, y[k] *= factor, z[k] *= factor;
   }
 
+  // Sums of this row stay in registers; members would be written for every pair.
   Vector3 own = Vector3::Zero();
+  Real energySum = 0, virialSum = 0;
   for (std::size_t k = 0; k < near; ++k) {
     const Vector3 force(x[k], y[k], z[k]);
     own -= force;
     forces_[static_cast<std::size_t>(partner[k])] += force;
-    potential_ += energy[k];
-    virial_ += virial[k];
+    energySum += energy[k];
+    virialSum += virial[k];
   }
+  potential_ += energySum;
+  virial_ += virialSum;
   forces_[static_cast<std::size_t>(particle)] += own;
 }
 
