@@ -1,0 +1,36 @@
+#include "energy_drift.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "carom/core/checks.hpp"
+
+namespace carom {
+
+std::vector<EnergyDrift> energyDrift(StepMethod method, std::span<const Real> lengths, int steps) {
+  if (steps < 2 || steps % 2 != 0) {
+    reject("steps", std::to_string(steps), "must be even and at least two");
+  }
+  const auto energy = [](const State& s) {
+    return s.velocity.squaredNorm() / 2 + s.position.squaredNorm() / 2;
+  };
+  const Step step = stepOf(method);
+  const int half = steps / 2;
+  std::vector<EnergyDrift> table;
+  for (const Real dt : lengths) {
+    requirePositive(dt, "dt");
+    State now = {Coordinates::Ones(1), Coordinates::Zero(1)};
+    const Real first = energy(now);
+    Real largest = 0, early = 0, late = 0;
+    for (int i = 0; i < steps; ++i) {
+      now = step(now, i * dt, dt, unitSpring);
+      const Real error = energy(now) / first - 1;
+      largest = std::max(largest, std::abs(error));
+      (i < half ? early : late) += error / half;
+    }
+    table.push_back({dt, largest, (late - early) / (half * dt)});
+  }
+  return table;
+}
+
+}  // namespace carom
