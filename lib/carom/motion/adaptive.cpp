@@ -17,7 +17,7 @@ void requireUsable(const Tolerance& tolerance) {
 
 Real stepFactor(Real ratio, int order) {
   constexpr Real kSafety = 0.9, kSmallest = 0.2, kLargest = 5;
-  const auto power = [order](Real x) {
+  const auto power = [&order](Real x) {
     Real p = 1;
     for (int i = 0; i < order; ++i) p *= x;
     return p;
@@ -26,7 +26,14 @@ Real stepFactor(Real ratio, int order) {
   if (ratio * power(kLargest) <= power(kSafety)) return kLargest;
   if (ratio * power(kSmallest) >= power(kSafety)) return kSmallest;
 
-  // The root by halving: C libraries round std::pow differently, and other steps would follow.
+  // Square roots are rounded alike everywhere, and three of them make an eighth root.
+  while (order % 2 == 0) {
+    ratio = std::sqrt(ratio);
+    order /= 2;
+  }
+  if (order == 1) return kSafety / ratio;
+
+  // Other roots by halving: C libraries round std::pow differently, and other steps would follow.
   Real low = kSmallest, high = kLargest;
   for (int i = 0; i < 40; ++i) {
     const Real middle = (low + high) / 2;

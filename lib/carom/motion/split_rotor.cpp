@@ -72,6 +72,20 @@ template <int axis>
   b.q[k] = u * cosine - y * sine;
 }
 
+// The turn by twice the length of a vector, about it. A short one needs no length: the series are in
+// its square.
+Quaternion turnAlong(const Vector3& half) {
+  const Real z = half.squaredNorm();
+  if (z < kShort * kShort) {
+    const Vector3 v = half + z * sineSeries(z) * half;
+    return {1 + z * cosineSeries(z), v.x(), v.y(), v.z()};
+  }
+  const Real size = length(half);
+  const SineCosine e = sineCosine(size);
+  const Vector3 v = e.sine / size * half;
+  return {e.cosine, v.x(), v.y(), v.z()};
+}
+
 // Lengths of the turns about the odd and about the round axis [1]. Each list adds up to one.
 constexpr Real kOdd2[2] = {0.5, 0.5}, kRound2[1] = {1};
 
@@ -112,19 +126,20 @@ RotorState SplitRotor::end(const TurningBody& body) const {
   return {renormalize(body.q_WB), angularVelocity(body.momentum)};
 }
 
-// `count` steps whose parts are `odd` and `round`, beginning and ending with an odd one.
-template <int n>
-void SplitRotor::turn(TurningBody& body, Real dt, int count, const Real (&odd)[n + 1],
-                      const Real (&round)[n]) const {
+// `count` steps whose parts are `odd` and `round`, beginning and ending with an odd one. Which axis
+// is the round one, r, is known to the compiler, so that nothing is looked up in memory on the way.
+template <int n, int r>
+void SplitRotor::turnAxes(TurningBody& body, Real dt, int count, const Real (&odd)[n + 1],
+                          const Real (&round)[n]) const {
+  constexpr int o = (r + 1) % 3, e = (r + 2) % 3;
   const Vector3 L = body.momentum;
-  const int r = round_, o = (r + 1) % 3, e = (r + 2) % 3;
   Turning b;
   b.L[0] = L[r], b.L[1] = L[o], b.L[2] = L[e];
   const Real oddTurn = oddRate_ * dt / 2, roundTurn = roundRate_ * dt / 2;
   if (oddRate_ == 0) {
     turnAbout<0>(count * roundTurn, b);  // round: one turn does it, without error
-  } else if (count > 0) {
-    turnAbout<1>(odd[0] * oddTurn, b);
+  } else {
+    if (count > 0) turnAbout<1>(odd[0] * oddTurn, b);
     for (int step = 0; step < count; ++step) {
       for (int i = 0; i < n; ++i) {
         turnAbout<0>(round[i] * roundTurn, b);
@@ -139,12 +154,16 @@ void SplitRotor::turn(TurningBody& body, Real dt, int count, const Real (&odd)[n
   v[r] = b.q[0], v[o] = b.q[1], v[e] = b.q[2];
 
   // About L, for all steps at once, and before the others, which turn L in the body.
-  const Real size = length(L);
-  if (size == 0) return;
-  const SineCosine half = sineCosine(size * (count * dt) / (2 * equal_));
-  const Vector3 u = half.sine / size * L;
-  body.q_WB = hamiltonProduct(
-      body.q_WB, hamiltonProduct({half.cosine, u.x(), u.y(), u.z()}, {b.w, v.x(), v.y(), v.z()}));
+  const Quaternion aboutL = turnAlong(count * dt / (2 * equal_) * L);
+  body.q_WB = hamiltonProduct(hamiltonProduct(body.q_WB, aboutL), {b.w, v.x(), v.y(), v.z()});
+}
+
+template <int n>
+void SplitRotor::turn(TurningBody& body, Real dt, int count, const Real (&odd)[n + 1],
+                      const Real (&round)[n]) const {
+  if (round_ == 0) return turnAxes<n, 0>(body, dt, count, odd, round);
+  if (round_ == 1) return turnAxes<n, 1>(body, dt, count, odd, round);
+  turnAxes<n, 2>(body, dt, count, odd, round);
 }
 
 void SplitRotor::turn4(TurningBody& body, Real dt) const {

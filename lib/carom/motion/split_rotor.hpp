@@ -74,6 +74,9 @@ class SplitRotor {
  private:
   TurningBody begin(const RotorState& state, Real dt) const;
   RotorState end(const TurningBody& body) const;
+  template <int n, int r>
+  void turnAxes(TurningBody& body, Real dt, int count, const Real (&odd)[n + 1],
+                const Real (&round)[n]) const;
   template <int n>
   void turn(TurningBody& body, Real dt, int count, const Real (&odd)[n + 1],
             const Real (&round)[n]) const;

@@ -10,6 +10,8 @@
 #include "carom/core/random.hpp"
 #include "carom/motion/composition.hpp"
 #include "carom/motion/explicit_euler.hpp"
+#include "carom/motion/extrapolation.hpp"
+#include "carom/motion/fixed_pair.hpp"
 #include "carom/motion/fixed_steps.hpp"
 #include "carom/motion/free_rotor.hpp"
 #include "carom/motion/kicked_rotor.hpp"
@@ -20,6 +22,7 @@
 #include "carom/motion/semi_implicit_euler.hpp"
 #include "carom/motion/split_rotor.hpp"
 #include "carom/motion/splitting.hpp"
+#include "carom/motion/trajectory.hpp"
 #include "carom/motion/velocity_verlet.hpp"
 #include "carom/rotation/conjugate.hpp"
 #include "carom/rotation/hamilton_product.hpp"
@@ -384,4 +387,120 @@ TEST_CASE("the system's own clock gives the orders of the compositions") {
   CHECK(std::abs(order(kVerletWeights, 400) - 2) < 0.1);
   CHECK(std::abs(order(kYoshida4Weights, 400) - 4) < 0.1);
   CHECK(std::abs(order(kKahanLi6Weights, 100) - 6) < 0.2);
+}
+
+TEST_CASE("the weights of extrapolation add up to one, and take powers of the step away") {
+  for (int m = 1; m <= kMostAnswers; ++m) {
+    const auto weights = extrapolationWeights(m);
+    // With n steps the error is a polynomial in 1/n^2; all its terms below 1/n^(2m) vanish.
+    for (int power = 0; power < m; ++power) {
+      Real sum = 0;
+      for (int k = m; k >= 1; --k) {
+        Real term = weights[static_cast<std::size_t>(k - 1)];
+        for (int i = 0; i < power; ++i) term /= k * k;
+        sum += term;
+      }
+      INFO(m << " answers, power " << power);
+      CHECK(std::abs(sum - (power == 0 ? 1 : 0)) < 1e-12);
+    }
+  }
+}
+
+TEST_CASE("extrapolated steps are of twice the order that there are answers") {
+  const Real duff = number(motionCase("N13")["x"]), v = number(motionCase("N13")["v"]);
+  const auto error = [&](int answers, int n) {
+    Real x = 1, u = 0;
+    extrapolatedSteps(x, u, 0, 5.0 / n, n, answers, [](Real, Real p) { return -p - p * p * p; });
+    return std::hypot(x - duff, u - v);
+  };
+  const std::vector<int> first = {400, 80, 40, 30};
+  for (int m = 1; m <= 4; ++m) {
+    const int n = first[static_cast<std::size_t>(m - 1)];
+    const Real order = measureOrder({2, error(m, n)}, {1, error(m, 2 * n)});
+    INFO(m << " answers: order " << order << " from " << error(m, n));
+    CHECK(std::abs(order - 2 * m) < 0.1);
+  }
+  CHECK(error(8, 8) < 1e-10);
+
+  // One answer is Verlet's own step; the time is known; and no steps change nothing.
+  Vector2 x(1, 0), u(0, 1), y = x, w = u;
+  const auto force = [](Real t, const Vector2& p) -> Vector2 { return sun(p) + Vector2(t, 0); };
+  extrapolatedSteps(x, u, 2, 0.01, 50, 1, force);
+  for (int i = 0; i < 50; ++i) composedStep(y, w, 2 + 0.01 * i, 0.01, kVerletWeights, force);
+  CHECK((x - y).norm() < 1e-14);
+  CHECK((u - w).norm() < 1e-14);
+  extrapolatedSteps(x, u, 2, 0.01, 0, 3, force);
+  CHECK((x - y).norm() < 1e-14);
+}
+
+TEST_CASE("N11: extrapolated kicks find the top to 1e-11 with less than three hundred torques") {
+  const json expected = motionCase("N11");
+  const SplitRotor body(kTop);
+  int looks = 0;
+  const Torque weight = [&](Real t, const RotorState& s) {
+    ++looks;
+    return weightOfTop(t, s);
+  };
+  const auto tilt = [&](int steps, int answers) {
+    looks = 0;
+    const RotorState s =
+        extrapolatedRotor(body, releasedTop(), 0, 2.0 / steps, steps, answers, weight);
+    const Vector3 axis = rotatePoint(s.q_WB, {0, 0, 1});
+    return carom::arctangent2(std::hypot(axis.x(), axis.y()), axis.z());
+  };
+  const Real theta = number(expected["theta"]);
+  CHECK(std::abs(tilt(14, 6) - theta) < 1e-11);
+  CHECK(looks == 14 * 21);
+  const Real order =
+      measureOrder({2, std::abs(tilt(150, 2) - theta)}, {1, std::abs(tilt(300, 2) - theta)});
+  INFO("order " << order);
+  CHECK(std::abs(order - 4) < 0.1);
+  const RotorState from = releasedTop();
+  CHECK(extrapolatedRotor(body, from, 0, 1, 0, 3, weightOfTop).angularVelocity ==
+        from.angularVelocity);
+  CHECK_THROWS_AS(extrapolatedRotor(body, from, 0, 1, -1, 3, weightOfTop), InvalidInput);
+  CHECK_THROWS_WITH(extrapolatedRotor(body, from, 0, 1, 1, 9, weightOfTop),
+                    ContainsSubstring("answers = 9 must be from 1 to 8"));
+  CHECK_THROWS_AS(extrapolatedRotor(body, from, 0, 1, 1, 0, weightOfTop), InvalidInput);
+  CHECK_THROWS_AS(extrapolatedRotor(body, from, kNan, 1, 1, 3, weightOfTop), InvalidInput);
+  CHECK_THROWS_AS(extrapolatedRotor(body, from, 0, 1, 1, 3, Torque()), InvalidInput);
+}
+
+TEST_CASE("pairs of fixed size are those of Trajectory, bit for bit") {
+  using Y = Eigen::Matrix<Real, 4, 1>;
+  const auto flow = [](Real, const Y& y) -> Y {
+    const Real r2 = y[0] * y[0] + y[1] * y[1];
+    const Real r3 = r2 * std::sqrt(r2);
+    return {y[2], y[3], -y[0] / r3, -y[1] / r3};
+  };
+  const State from = perihelion(0.6);
+  const Y y0(from.position[0], from.position[1], from.velocity[0], from.velocity[1]);
+  for (Real end : {20.0, -7.0}) {
+    for (Real tolerance : {1e-5, 1e-9, 1e-13}) {
+      const Tolerance asked{tolerance, tolerance, 100000};
+      const FixedRun<4> eight = fixedPair<kDormandPrince8, 4>(y0, 0, end, asked, flow);
+      const FixedRun<4> five = fixedPair<kDormandPrince5, 4>(y0, 0, end, asked, flow);
+      const auto same = [&](const FixedRun<4>& run, Pair pair) {
+        const AdaptiveRun plain = Trajectory(from, 0, end, kepler, asked, pair).run();
+        INFO("end " << end << ", tolerance " << tolerance);
+        CHECK(run.status == AdaptiveStatus::kReachedEnd);
+        CHECK(run.time == plain.time);
+        CHECK(run.accepted == plain.accepted);
+        CHECK(run.rejected == plain.rejected);
+        CHECK(run.y[0] == plain.state.position[0]);
+        CHECK(run.y[3] == plain.state.velocity[1]);
+      };
+      same(eight, Pair::kOrder8);
+      same(five, Pair::kOrder5);
+    }
+  }
+  const FixedRun<4> few = fixedPair<kDormandPrince8, 4>(y0, 0, 100, {1e-9, 1e-9, 50}, flow);
+  CHECK(few.status == AdaptiveStatus::kTooManySteps);
+  CHECK(few.accepted + few.rejected == 50);
+  // A fall into the sun.
+  const FixedRun<4> fall =
+      fixedPair<kDormandPrince8, 4>(Y(1, 0, 0, 0), 0, 2, {1e-9, 1e-9, 100000}, flow);
+  CHECK(fall.status == AdaptiveStatus::kStepTooSmall);
+  CHECK(std::abs(fall.time - 1.1107207345395915618) < 1e-6);
+  CHECK_THROWS_AS((fixedPair<kDormandPrince8, 4>(y0, 0, 1, {1e-9, 0, 10}, flow)), InvalidInput);
 }
