@@ -317,6 +317,17 @@ TEST_CASE("a wall throws a particle back as fast as it came") {
   }
 }
 
+TEST_CASE("who flies through a wall in a single step comes out of the mirror") {
+  const ParticleRules rules = {.box = {Vector3(6, 6, 6), {W, W, W}}};
+  for (const Real side : {-1.0, 1.0}) {
+    const Vector3 place(3 + side * 2, 3, 3);  // out of reach of the wall's force, before and after
+    Particles one({{place}}, {{Vector3(side * 200, 0, 0)}}, rules);
+    REQUIRE(one.velocityVerletStep(0.01) == ParticleStatus::Moved);
+    CHECK((one.position(0) - place).norm() < 1e-14);
+    CHECK(one.velocity(0) == Vector3(-side * 200, 0, 0));
+  }
+}
+
 TEST_CASE("walls keep every particle inside, and the energy where it is") {
   const LatticeStart start = startOf({16, 16, 1}, {W, W, F});
   Particles particles = particlesOf(start);
