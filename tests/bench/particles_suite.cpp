@@ -254,7 +254,7 @@ void draw(const std::vector<Curve>& curves, const std::filesystem::path& file) {
     plot.curve(curves[i].name, curves[i].counts, times, style);
   }
   const Real limit = 1000 / 60.0 / kStepsPerFrame;
-  plot.curve("real time: 200 steps of 0.005 a second", {100, 100000}, {limit, limit},
+  plot.curve("real time: 1 tau a second", {100, 100000}, {limit, limit},
              {.width = 1, .color = carom::io::Color{30, 30, 30}});
   carom::bench::sign(plot, 130, 1.2e-3, 0.4);
   plot.writeSvg(file);
