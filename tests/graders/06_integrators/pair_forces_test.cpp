@@ -64,16 +64,16 @@ Points slopes(Points positions, const LennardJones& atoms, const Vector3& box) {
 }  // namespace
 
 TEST_CASE("two") {
-  const LennardJones atoms = {1, 1, 2.5}, heavy = {2, 0.5, 3};
+  const LennardJones atoms = {1, 1, 2.5}, heavy = {2, 0.6, 3};
   ask({{0, 0, 0}, {1, 0, 0}}, atoms, kNoBox, {{{-24, 0, 0}, {24, 0, 0}}, -lift(atoms)},
       "a distance of one size: they push each other with 24 depth/size");
   // (1/r)^6 = 1/2: the bottom of the potential.
   const Real bottom = std::pow(2, 1.0 / 6);
   ask({{0, 0, 1}, {0, bottom, 1}}, atoms, kNoBox, {{{0, 0, 0}, {0, 0, 0}}, -1 - lift(atoms)},
       "at the bottom of the potential");
-  // A distance of 1 m is two sizes: (s/r)^6 = 1/64, and the direction is (0, 0.6, 0.8).
-  const Real pull = 24 * 2 * (1.0 / 64 - 2.0 / 4096);
-  ask({{1, 1, 1}, {1, 1.6, 1.8}}, heavy, kNoBox,
+  // A distance of 1.2 m is two sizes: (s/r)^6 = 1/64, and the direction is (0, 0.6, 0.8).
+  const Real pull = 24 * 2 * (1.0 / 64 - 2.0 / 4096) / 1.2;
+  ask({{1, 1, 1}, {1, 1.72, 1.96}}, heavy, kNoBox,
       {{{0, 0.6 * pull, 0.8 * pull}, {0, -0.6 * pull, -0.8 * pull}},
        8 * (1.0 / 4096 - 1.0 / 64) - lift(heavy)},
       "two sizes apart: they pull each other");
