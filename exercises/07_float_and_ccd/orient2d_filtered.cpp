@@ -1,0 +1,19 @@
+// Exercise 07.orient2d_filtered: on which side of a line is a point, without any doubt?
+// Check it with: ./course check 07.orient2d_filtered
+
+#include "carom/precision/orient2d_filtered.hpp"
+
+#include <cmath>
+
+#include "carom/core/todo.hpp"
+#include "carom/precision/exact_orient2d.hpp"
+
+namespace carom {
+
+FilteredSign orient2dFiltered(const Vector2& a, const Vector2& b, const Vector2& c) {
+  // a.x() and a.y() are the coordinates of a, std::abs(x) is |x|, 0x1p-53 is 2^-53, and
+  // {1, true} is a FilteredSign.
+  return todo<FilteredSign>("orient2dFiltered");
+}
+
+}  // namespace carom

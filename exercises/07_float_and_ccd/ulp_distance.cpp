@@ -1,0 +1,23 @@
+// Exercise 07.ulp_distance: how many doubles lie between two doubles?
+// Check it with: ./course check 07.ulp_distance
+
+#include "carom/precision/ulp_distance.hpp"
+
+#include <bit>
+#include <cmath>
+
+#include "carom/core/checks.hpp"
+#include "carom/core/todo.hpp"
+
+namespace carom {
+
+std::uint64_t ulpDistance(Real a, Real b) {
+  // Given: what is not a number has no place in the row.
+  if (std::isnan(a)) reject("a", toText(a), "must be a number");
+  if (std::isnan(b)) reject("b", toText(b), "must be a number");
+  // std::bit_cast<std::int64_t>(x) reads the bits of x as a whole number, std::abs(x) is |x|,
+  // and std::signbit(x) says whether x has a minus.
+  return todo<std::uint64_t>("ulpDistance");
+}
+
+}  // namespace carom

@@ -1,0 +1,18 @@
+#include "carom/precision/orient2d_filtered.hpp"
+
+#include <cmath>
+
+#include "carom/precision/exact_orient2d.hpp"
+
+namespace carom {
+
+FilteredSign orient2dFiltered(const Vector2& a, const Vector2& b, const Vector2& c) {
+  const Real left = (a.x() - c.x()) * (b.y() - c.y());
+  const Real right = (a.y() - c.y()) * (b.x() - c.x());
+  const Real value = left - right;
+  const Real bound = 3.4e-16 * (std::abs(left) + std::abs(right));
+  if (std::abs(value) > bound) return {value > 0 ? 1 : -1, true};
+  return {0, false};
+}
+
+}  // namespace carom

@@ -1,0 +1,16 @@
+#include "carom/precision/time_of_step.hpp"
+
+#include <cmath>
+#include <string>
+
+#include "carom/core/checks.hpp"
+
+namespace carom {
+
+Real timeOfStep(std::int64_t step, Real dt, Real start) {
+  requireFinite(dt, "dt");
+  requireFinite(start, "start");
+  return (start + static_cast<Real>(step)) * dt;
+}
+
+}  // namespace carom

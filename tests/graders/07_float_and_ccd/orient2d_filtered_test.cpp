@@ -1,0 +1,120 @@
+// Grader of 07.orient2d_filtered: points are put on a line, or one step beside it, in numbers
+// short enough that this is known.
+
+#include "carom/precision/orient2d_filtered.hpp"
+
+#include <cmath>
+
+#include "carom/core/random.hpp"
+#include "grading/fields_precision.hpp"
+#include "grading/grade.hpp"
+
+using namespace carom;
+using namespace carom::grading;
+
+namespace {
+
+constexpr const char* kSign = "a sign has no rounding";
+
+struct Triple {
+  Vector2 a, b, c;
+  int side = 0;
+};
+
+// Whole coordinates up to 2^52: c is on the line through a and b, or one unit to a side of it.
+Triple beside(Random& random, int side) {
+  const Vector2 direction(random.integer(1 << 14, 1 << 15), random.integer(1, 1 << 15));
+  const Real m = random.integer(1 << 24, 1 << 26), n = random.integer(1 << 24, 1 << 26);
+  const Vector2 a(random.integer(-(1 << 30), 1 << 30), random.integer(-(1 << 30), 1 << 30));
+  Triple t{a, a + m * direction, a + (m + n) * direction, side};
+  t.c.y() += side;  // the direction goes to the right, so upwards is left
+  return t;
+}
+
+// Clearly to one side, at a scale: far more than rounding.
+Triple clear(Random& random, Real size) {
+  const Real angle = random.between(0, 6.28), turn = random.between(0.1, 3);
+  const int side = random.integer(0, 1) ? 1 : -1;
+  const Vector2 a(random.between(-size, size), random.between(-size, size));
+  const auto at = [&](Real t) { return Vector2(a + size * Vector2(std::cos(t), std::sin(t))); };
+  return {a, at(angle), at(angle + side * turn), side};
+}
+
+Triple scaled(Triple t, Real by) {
+  t.a *= by, t.b *= by, t.c *= by;
+  return t;
+}
+
+void askSign(const Triple& t, const char* what) {
+  const auto sign = [&t] { return orient2dFiltered(t.a, t.b, t.c).sign; };
+  GRADE(sign(), t.side, within(0, kSign), given("a", t.a, "m"), given("b", t.b, "m"),
+        given("c", t.c, "m"), about(what));
+}
+
+}  // namespace
+
+TEST_CASE("sides") {
+  askSign({{0, 0}, {1, 0}, {0, 1}, 1}, "to the left");
+  askSign({{0, 0}, {1, 0}, {0, -1}, -1}, "to the right");
+  Random random(seed());
+  for (int n = 0; n < 10; ++n) askSign(clear(random, 1), "points some way off the line");
+}
+
+TEST_CASE("line") {
+  askSign({{0.5, 0.5}, {12, 12}, {24, 24}, 0}, "three points of a line");
+  askSign({{0.5, 0.5 + 0x1p-53}, {12, 12}, {24, 24}, -1}, "the first a step above the line");
+  Random random(seed() + 1);
+  for (int n = 0; n < 16; ++n) {
+    askSign(beside(random, n % 3 - 1), "whole coordinates: on the line, or one beside it");
+  }
+}
+
+TEST_CASE("sizes") {
+  Random random(seed() + 2);
+  for (const Real size : {0x1p-60, 0x1p-40, 0x1p-20, 0x1p20, 0x1p40}) {
+    askSign(clear(random, size), "points some way off the line, small or large");
+    for (const int side : {-1, 0, 1}) {
+      askSign(scaled(beside(random, side), size), "on a line, or beside it, small or large");
+    }
+  }
+  for (int n = 0; n < 10; ++n) {
+    askSign(scaled(beside(random, n % 2 ? 1 : -1), 0x1p-20), "a little beside the line");
+  }
+}
+
+TEST_CASE("cheap") {
+  Random random(seed() + 3);
+  const auto needed = [&random](int count) {
+    int exact = 0;
+    for (int n = 0; n < count; ++n) {
+      const Triple t = clear(random, std::ldexp(1.0, random.integer(-30, 30)));
+      exact += !orient2dFiltered(t.a, t.b, t.c).filtered;
+    }
+    return exact;
+  };
+  const auto settled = [&needed](int count) { return count - needed(count); };
+  GRADE(settled(200), 200, within(0, "a sign far beyond its error needs no exact numbers"),
+        about("how many of 200 clear cases were settled by the rounded value"));
+  const Triple onLine = beside(random, 0);
+  const auto filtered = [&onLine] {
+    return orient2dFiltered(onLine.a, onLine.b, onLine.c).filtered ? 2 : 3;
+  };
+  GRADE(filtered(), 3, within(0, "no rounded value can know that a point is on the line"),
+        given("a", onLine.a, "m"), given("b", onLine.b, "m"), given("c", onLine.c, "m"),
+        about("a point on the line: 2 if the filter claims to know, 3 if it asks"));
+}
+
+TEST_CASE("refuses") {
+  GRADE_REFUSES(orient2dFiltered({0, 0}, {1, std::nan("")}, {1, 1}),
+                given("b", Vector2(1, std::nan(""))));
+}
+
+PROBES() {
+  Random random(706);
+  for (int n = 0; n < 12; ++n) {
+    const Triple on = beside(random, 0), off = beside(random, 1), easy = clear(random, 1);
+    PROBE(orient2dFiltered(on.a, on.b, on.c));
+    PROBE(orient2dFiltered(off.a, off.b, off.c).sign);
+    PROBE(orient2dFiltered(easy.a, easy.b, easy.c));
+  }
+}

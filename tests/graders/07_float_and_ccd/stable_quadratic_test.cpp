@@ -1,0 +1,113 @@
+// Grader of 07.stable_quadratic: the roots are chosen first, in short binary numbers, so that the
+// coefficients a, -a (r + s) and a r s need no rounding.
+
+#include "carom/precision/stable_quadratic.hpp"
+
+#include <cmath>
+
+#include "carom/core/random.hpp"
+#include "grading/fields_precision.hpp"
+#include "grading/grade.hpp"
+
+using namespace carom;
+using namespace carom::grading;
+
+namespace {
+
+constexpr const char* kDigits = "a few units in the last place";
+constexpr Real kFew = 1e-15;
+
+struct Equation {
+  Real a, b, c;
+  QuadraticRoots roots;
+};
+
+Equation withRoots(Real a, Real r, Real s) {
+  return {a,
+          -a * (r + s),
+          a * r * s,
+          {r == s ? RootCount::one : RootCount::two, std::min(r, s), std::max(r, s)}};
+}
+
+// The roots are graded one by one, since one may be much smaller than the other.
+void ask(const Equation& e, const char* what) {
+  const auto first = [&] { return stableQuadratic(e.a, e.b, e.c).first; };
+  const auto second = [&] { return stableQuadratic(e.a, e.b, e.c).second; };
+  GRADE(stableQuadratic(e.a, e.b, e.c), e.roots, withinRelative(kFew, kDigits), given("a", e.a),
+        given("b", e.b), given("c", e.c), about(what));
+  GRADE(first(), e.roots.first, withinRelative(kFew, kDigits), given("a", e.a), given("b", e.b),
+        given("c", e.c), about("the smaller root of the same equation"));
+  GRADE(second(), e.roots.second, withinRelative(kFew, kDigits), given("a", e.a), given("b", e.b),
+        given("c", e.c), about("the larger root of the same equation"));
+}
+
+Real eighths(Random& random, int size) {
+  return random.integer(1, size) / 8.0 * (random.integer(0, 1) ? 1 : -1);
+}
+
+}  // namespace
+
+TEST_CASE("plain") {
+  ask(withRoots(1, 1, 2), "x^2 - 3 x + 2 = 0");
+  ask(withRoots(-2, -3, 0.5), "-2 x^2 - 5 x + 3 = 0");
+  GRADE(stableQuadratic(1, 2, 5), QuadraticRoots{}, within(0, "exactly"), given("a", 1.0),
+        given("b", 2.0), given("c", 5.0), about("a parabola that stays above zero"));
+  Random random(seed());
+  for (int n = 0; n < 8; ++n) {
+    ask(withRoots(eighths(random, 40), eighths(random, 300), eighths(random, 300)),
+        "any quadratic with roots that are multiples of 1/8");
+  }
+}
+
+TEST_CASE("small") {
+  Random random(seed() + 1);
+  for (int n = 0; n < 8; ++n) {
+    const Real large = random.integer(1 << 20, 1 << 24),
+               small = std::ldexp(eighths(random, 15), -8);
+    ask(withRoots(eighths(random, 8), n % 2 ? large : -large, small),
+        "one root is a thousand million times as large as the other");
+  }
+}
+
+TEST_CASE("near") {
+  Random random(seed() + 2);
+  for (int n = 0; n < 8; ++n) {
+    const Real r = 1 + random.integer(1, (1 << 24) - 2) * 0x1p-24;
+    Equation e = withRoots(1, r, r + 0x1p-24 * random.integer(1, 4));
+    ask(e, "two roots, equal in their first seven digits");
+  }
+  const Real r = 1 + random.integer(1, 1000) * 0x1p-10;
+  const Equation twice = withRoots(3, r, r);
+  GRADE(stableQuadratic(twice.a, twice.b, twice.c), twice.roots, withinRelative(kFew, kDigits),
+        given("a", twice.a), given("b", twice.b), given("c", twice.c),
+        about("two roots that are equal"));
+}
+
+TEST_CASE("degenerate") {
+  GRADE(stableQuadratic(0, 4, -6), (QuadraticRoots{RootCount::one, 1.5, 1.5}), within(0, "exactly"),
+        given("a", 0.0), given("b", 4.0), given("c", -6.0), about("a line"));
+  ask({2, 0, -8, {RootCount::two, -2, 2}}, "no term with x");
+  GRADE(stableQuadratic(2, -6, 0), (QuadraticRoots{RootCount::two, 0, 3}), within(0, "exactly"),
+        given("a", 2.0), given("b", -6.0), given("c", 0.0), about("no constant term"));
+  GRADE(stableQuadratic(0, 0, 0), (QuadraticRoots{RootCount::all, 0, 0}), within(0, "exactly"),
+        given("a", 0.0), given("b", 0.0), given("c", 0.0), about("nothing at all"));
+  GRADE(stableQuadratic(0, 0, 7), QuadraticRoots{}, within(0, "exactly"), given("a", 0.0),
+        given("b", 0.0), given("c", 7.0), about("7 = 0"));
+}
+
+TEST_CASE("refuses") {
+  GRADE_REFUSES(stableQuadratic(1, std::nan(""), 1), given("b", std::nan("")));
+}
+
+PROBES() {
+  Random random(703);
+  const auto probe = [](const Equation& e) { PROBE(stableQuadratic(e.a, e.b, e.c)); };
+  for (int n = 0; n < 8; ++n) {
+    probe(withRoots(eighths(random, 40), eighths(random, 300), eighths(random, 300)));
+    probe(withRoots(1, 1 << 22, 0x1p-10 * random.integer(1, 9)));
+    const Real r = 1 + random.integer(1, (1 << 24) - 2) * 0x1p-24;
+    probe(withRoots(1, r, r + 0x1p-24));
+  }
+  probe({0, 4, -6, {}});
+  probe({2, 0, -8, {}});
+}
