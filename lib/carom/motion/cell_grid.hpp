@@ -8,7 +8,8 @@
 // Why only half of the neighbours: each pair of cells, and so each pair of particles, is met once.
 // A periodic box continues at its edges: the neighbour of the last cell is the first, a box length
 // further. This also holds in a box of one or two cells, where a cell is its own neighbour.
-// Source: Hockney and Eastwood, Computer Simulation Using Particles, 1981, section 8.4.
+// Source: Hockney and Eastwood, Computer Simulation Using Particles, 1981, chapter 8;
+// Quentrec and Brot, Journal of Computational Physics 13, 1973.
 // Not handled: crowds with empty regions much larger than the box is full; the cells are at most
 // about four times as many as the particles, and get larger instead.
 

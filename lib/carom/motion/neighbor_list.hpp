@@ -8,8 +8,8 @@
 // of a periodic box there are others. So the inner loop knows nothing of periodic boxes.
 // Why not look at the cells in every step: they hold nearly seven times as many pairs as there are
 // within the cut-off.
-// Source: Verlet, Physical Review 159, 1967; Quentrec and Brot, Journal of Computational Physics
-// 13, 1973 (lists from cells).
+// Source: Verlet, Physical Review 159, 1967; Allen and Tildesley, Computer Simulation of Liquids,
+// 1987, section 5.3.
 // Not handled: knowing when the list is too old. Who moves the particles does (particles.hpp).
 
 #include "carom/motion/cell_grid.hpp"
@@ -21,9 +21,9 @@ class NeighborList {
  public:
   /// A particle and some of its partners.
   struct Row {
+    std::size_t first = 0;      ///< where its partners begin among all
+    std::size_t count = 0;      ///< how many they are
     std::int32_t particle = 0;  ///< its index
-    std::int32_t first = 0;     ///< where its partners begin in partners()
-    std::int32_t count = 0;     ///< how many they are
     std::int32_t image = 0;     ///< the partners are seen shifted by imageShift() of this
   };
 
@@ -42,18 +42,18 @@ class NeighborList {
 
   /// The partners of a row. \param row one of rows() \return indices of particles
   std::span<const std::int32_t> partners(const Row& row) const {
-    return {partners_.data() + row.first, static_cast<std::size_t>(row.count)};
+    return {partners_.data() + row.first, row.count};
   }
 
   /// The number of pairs. \return of all rows together
   std::size_t pairs() const {
-    return static_cast<std::size_t>(used_);
+    return used_;
   }
 
  private:
   std::vector<Row> rows_;
   std::vector<std::int32_t> partners_;
-  std::int32_t used_ = 0;
+  std::size_t used_ = 0;
 };
 
 }  // namespace carom

@@ -199,6 +199,7 @@ void Particles::addWalls() {
     if (rules_.box.edges[static_cast<std::size_t>(axis)] != Edge::Wall) continue;
     for (std::size_t i = 0; i < count(); ++i) {
       const Real x = positions_[i][axis], rest = rules_.box.size[axis] - x;
+      // Farther than that, and even than 0.56 sizes, there is no force.
       if (x >= rules_.atoms.size && rest >= rules_.atoms.size) continue;
       const PairForce near = wallForce(rules_.atoms, x), far = wallForce(rules_.atoms, rest);
       forces_[i][axis] += 2 * x * near.factor - 2 * rest * far.factor;

@@ -6,7 +6,9 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
+#include <new>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -22,6 +24,27 @@
 
 using namespace carom;
 using carom_test::ContainsSubstring;
+
+namespace {
+std::size_t allocations = 0;  // of this program so far
+}
+
+// Counts who asks for memory. Not inlined: g++ 12 would take them for a mismatched pair.
+[[gnu::noinline]] void* operator new(std::size_t size) {
+  ++allocations;
+  if (void* memory = std::malloc(size)) return memory;
+  throw std::bad_alloc();
+}
+[[gnu::noinline]] void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
+  ++allocations;
+  return std::malloc(size);
+}
+[[gnu::noinline]] void operator delete(void* memory) noexcept {
+  std::free(memory);
+}
+[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept {
+  std::free(memory);
+}
 
 namespace {
 
@@ -285,6 +308,17 @@ TEST_CASE("the same crowd gives the same bits each time") {
               std::bit_cast<std::uint64_t>(other.position(i)[axis]));
     }
   }
+}
+
+TEST_CASE("a step takes no memory, also one that makes a new list") {
+  const LatticeStart start = startOf({10, 10, 10}, {P, W, P});
+  Particles particles = particlesOf(start);
+  for (int i = 0; i < 300; ++i) particles.velocityVerletStep(0.005);
+  const std::size_t before = allocations, lists = particles.listsMade();
+  for (int i = 0; i < 300; ++i) particles.velocityVerletStep(0.005);
+  const std::size_t taken = allocations - before;
+  CHECK(taken == 0);
+  CHECK(particles.listsMade() > lists + 10);
 }
 
 TEST_CASE("a particle alone flies straight, and comes in again where it left") {
