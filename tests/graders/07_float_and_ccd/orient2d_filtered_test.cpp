@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "carom/core/random.hpp"
+#include "carom/precision/exact_determinant.hpp"
 #include "grading/fields_precision.hpp"
 #include "grading/grade.hpp"
 
@@ -48,6 +49,16 @@ Triple beside(Random& random, int side) {
   return {a, a + u, a + random.integer(2, 9) * u + side * w, side};
 }
 
+// A point far along the line through two others, rounded: within a step of the line, and the
+// differences of the coordinates are rounded too. The side is known from the tetrahedron over it.
+Triple rounded(Random& random, Real size) {
+  const auto point = [&] { return Vector2(size * random.vector().head<2>()); };
+  const Vector2 a = point(), b = point();
+  const Vector2 c = a + random.between(20, 30) * (b - a);
+  const auto floor = [](const Vector2& p) { return Vector3(p.x(), p.y(), 0); };
+  return {a, b, c, orientation(floor(a), floor(b), floor(c), Vector3(a.x(), a.y(), size))};
+}
+
 // Clearly to one side, at a scale: far more than rounding.
 Triple clear(Random& random, Real size) {
   const Real angle = random.between(0, 6.28), turn = random.between(0.1, 3);
@@ -55,11 +66,6 @@ Triple clear(Random& random, Real size) {
   const Vector2 a(random.between(-size, size), random.between(-size, size));
   const auto at = [&](Real t) { return Vector2(a + size * Vector2(std::cos(t), std::sin(t))); };
   return {a, at(angle), at(angle + side * turn), side};
-}
-
-Triple scaled(Triple t, Real by) {
-  t.a *= by, t.b *= by, t.c *= by;
-  return t;
 }
 
 void askSign(const Triple& t, const char* what) {
@@ -85,15 +91,17 @@ TEST_CASE("line") {
     askSign(beside(random, n % 3 - 1),
             "whole coordinates: on the line, or as near beside it as can be");
   }
+  for (int n = 0; n < 50; ++n) {
+    askSign(rounded(random, 1), "a point far along the line, rounded");
+  }
 }
 
 TEST_CASE("sizes") {
   Random random(seed() + 2);
   for (const Real size : {0x1p-60, 0x1p-40, 0x1p-20, 0x1p20, 0x1p40}) {
     askSign(clear(random, size), "points some way off the line, small or large");
-    for (int n = 0; n < 8; ++n) {
-      askSign(scaled(beside(random, n % 2 ? 1 : -1), size),
-              "as near beside a line as numbers go, small or large");
+    for (int n = 0; n < 30; ++n) {
+      askSign(rounded(random, size), "a point far along the line, rounded, small or large");
     }
   }
 }
@@ -127,12 +135,14 @@ TEST_CASE("refuses") {
 
 PROBES() {
   Random random(706);
-  for (int n = 0; n < 12; ++n) {
+  for (int n = 0; n < 24; ++n) {
     const Triple on = beside(random, 0), off = beside(random, n % 2 ? 1 : -1);
-    const Triple dust = scaled(beside(random, 1), 0x1p-90), easy = clear(random, 1);
+    const Triple dust = rounded(random, 0x1p-60), rock = rounded(random, 1e9),
+                 easy = clear(random, 1);
     PROBE(orient2dFiltered(on.a, on.b, on.c));
     PROBE(orient2dFiltered(off.a, off.b, off.c).sign);
     PROBE(orient2dFiltered(dust.a, dust.b, dust.c).sign);
+    PROBE(orient2dFiltered(rock.a, rock.b, rock.c).sign);
     PROBE(orient2dFiltered(easy.a, easy.b, easy.c));
   }
 }

@@ -117,7 +117,13 @@ PROBES() {
   const auto probe = [](const Equation& e) { PROBE(stableQuadratic(e.a, e.b, e.c)); };
   for (int n = 0; n < 8; ++n) {
     probe(withRoots(eighths(random, 40), eighths(random, 300), eighths(random, 300)));
-    probe(nearlyEqual(random));
+    // The gap between two roots that are nearly equal, in parts of which it has a whole number.
+    const Equation near = nearlyEqual(random);
+    const auto gap = [&near] {
+      const QuadraticRoots roots = stableQuadratic(near.a, near.b, near.c);
+      return std::round((roots.second - roots.first) * 0x1p32);
+    };
+    PROBE(gap());
     // The small root alone: beside the large one its error would not be seen.
     const Equation e = farApart(random);
     PROBE(std::abs(stableQuadratic(e.a, e.b, e.c).first));
