@@ -367,6 +367,12 @@ Race topRace() {
   };
   split("kicked, Blanes and Moan 4 (carom)", kBlanesMoan4, {8, 16, 32, 64, 256, 1024});
   split("kicked, Blanes and Moan 6 (carom)", kBlanesMoan6, {4, 8, 16, 32, 64, 128, 256});
+  for (const int steps : {2, 4, 6, 9, 13, 18, 25}) {
+    race.add(
+        "extrapolated kicks, order 12 (carom)", false, "dt", Real(kDuration) / steps,
+        [=] { return extrapolatedRotor(body, start, 0, duration / steps, steps, 6, weight).q_WB; },
+        error);
+  }
   for (const int steps : {64, 256, 1024, 4096}) {
     race.add(
         "RK4 on the quaternion", false, "dt", Real(kDuration) / steps,
@@ -476,10 +482,10 @@ void freeRotors(const Options& options, Figures& figures) {
     race.print({1e-3, 1e-6, 1e-9, 1e-12});
     race.write(figures.rows);
     if (scene.duration == 10) {
-      judge(figures, "W2", race, scene.name, 1e-6, 20);
-      judge(figures, "W2", race, scene.name, 1e-12, 70);
+      judge(figures, "W2", race, scene.name, 1e-6, 20, 0);
+      judge(figures, "W2", race, scene.name, 1e-12, 70, 0);
     } else {
-      judge(figures, "scene F", race, scene.name, 1e-6, 1);
+      judge(figures, "scene F", race, scene.name, 1e-6, 0, 0);
       sceneF(scene, figures);
     }
     if (!options.plots.empty() && scene.file[0] != 0) {
@@ -497,8 +503,8 @@ void heavyTops(const Options& options, Figures& figures) {
   race.time(options);
   race.print({1e-3, 1e-6, 1e-9, 1e-12});
   race.write(figures.rows);
-  judge(figures, "W3", race, "N11", 1e-6, 3);
-  judge(figures, "W3", race, "N11", 1e-12, 3);
+  judge(figures, "W3", race, "N11", 1e-6, 0, 3);
+  judge(figures, "W3", race, "N11", 1e-12, 0, 3);
   topsForLong(figures);
   if (!options.plots.empty()) {
     race.draw(options.plots / "heavy_top.svg",

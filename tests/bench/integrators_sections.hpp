@@ -15,9 +15,11 @@ struct Figures {
 /// A number of a case, from the project's references. \param id of the case \param path keys
 Real caseNumber(const std::string& id, const std::string& key, int index = -1, int inner = -1);
 
-/// Writes a target: ours beside the best peer at one error. \param wanted by how many times faster
+/// Writes how many times faster ours are than the best peer at one error: the best of all, where one
+/// of them is a closed form, and the best of the steps. \param closedForms how many times were
+/// wanted of a closed form \param steps and of the steps; 0: nothing was
 void judge(Figures& figures, const char* diagram, const Race& race, const std::string& scene,
-           Real level, Real wanted);
+           Real level, Real closedForms, Real steps);
 
 /// W2 and scene F: bodies that turn freely.
 void freeRotors(const Options& options, Figures& figures);

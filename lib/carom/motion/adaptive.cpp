@@ -33,13 +33,15 @@ Real stepFactor(Real ratio, int order) {
   }
   if (order == 1) return kSafety / ratio;
 
-  // Other roots by halving: C libraries round std::pow differently, and other steps would follow.
-  Real low = kSmallest, high = kLargest;
-  for (int i = 0; i < 40; ++i) {
-    const Real middle = (low + high) / 2;
-    (ratio * power(middle) < power(kSafety) ? low : high) = middle;
+  // Other roots by Newton's method, which falls towards the root from anywhere above it, and stops
+  // where doubles do: C libraries round std::pow differently, and other steps would follow.
+  const Real wanted = power(kSafety) / ratio;
+  Real x = wanted <= 1 ? 1 : std::sqrt(order > 4 ? std::sqrt(wanted) : wanted);
+  while (true) {
+    const Real next = x - (x - wanted / (power(x) / x)) / order;
+    if (!(next < x)) return x;
+    x = next;
   }
-  return low;
 }
 
 }  // namespace carom

@@ -32,9 +32,10 @@ namespace fixed_pair {
 
 /// The sum of weights times slopes, written out. \ingroup motion
 template <const auto& weights, class V, std::size_t count, std::size_t... j>
-V weighted(const std::array<V, count>& slopes, std::index_sequence<j...>) {
+__attribute__((always_inline)) inline V weighted(const std::array<V, count>& slopes,
+                                                 std::index_sequence<j...>) {
   V sum = V::Zero();
-  const auto add = [&]<std::size_t i>() {
+  const auto add = [&]<std::size_t i>() __attribute__((always_inline)) {
     if constexpr (weights[i] != 0) sum += weights[i] * slopes[i];
   };
   (add.template operator()<j>(), ...);
@@ -80,7 +81,7 @@ FixedRun<n> fixedPair(const Eigen::Matrix<Real, n, 1>& y, Real time, Real end,
   Real dt = (end - time) / 100;  // a guess: the first steps put it right
 
   V next = y;
-  const auto look = [&]<std::size_t i>() {
+  const auto look = [&]<std::size_t i>() __attribute__((always_inline)) {
     if constexpr (i > 0) {
       static constexpr const auto& row = method.stages[i];
       next = run.y + dt * fixed_pair::weighted<row>(slopes, std::make_index_sequence<i>());
