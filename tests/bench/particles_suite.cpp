@@ -35,7 +35,7 @@ using carom::bench::Timing;
 namespace {
 
 constexpr Real kStep = 0.005;                      // [tau]
-constexpr Real kSkin = 0.5;                        // of the lists, unless said otherwise [s]
+constexpr Real kSkin = 0.5;                        // of the lists, unless said otherwise [1]
 constexpr int kWarmUp = 200;                       // steps, in which the lattice melts
 constexpr Real kStepsPerFrame = 1.0 / 60 / kStep;  // at one tau per second
 

@@ -19,9 +19,9 @@ const ParticleRules& checked(const ParticleRules& rules) {
   requirePositive(rules.atoms.cutoff, "cutoff");
   requirePositive(rules.mass, "mass");
   requireNonNegative(rules.skin, "skin");
-  const Real reach = rules.atoms.cutoff * rules.atoms.size;
-  if (!(rules.skin <= reach)) {
-    reject("skin", toText(rules.skin), "must be no more than the cut-off, " + toText(reach));
+  if (!(rules.skin <= rules.atoms.cutoff)) {
+    reject("skin", toText(rules.skin),
+           "must be no more than the cut-off, " + toText(rules.atoms.cutoff));
   }
   requireUsable(rules.box, rules.atoms);
   return rules;
@@ -44,8 +44,7 @@ std::size_t checkedCount(std::span<const Vector3> positions, std::span<const Vec
 Particles::Particles(std::span<const Vector3> positions, std::span<const Vector3> velocities,
                      const ParticleRules& rules)
     : rules_(checked(rules)),
-      cells_(rules.box, rules.atoms.cutoff * rules.atoms.size + rules.skin,
-             checkedCount(positions, velocities)),
+      cells_(rules.box, listReach(), checkedCount(positions, velocities)),
       positions_(positions.begin(), positions.end()),
       velocities_(velocities.begin(), velocities.end()),
       forces_(positions.size(), Vector3::Zero()),
@@ -137,7 +136,8 @@ bool Particles::drift(Real dt) {
   for (std::size_t i = 0; i < count(); ++i) {
     moved = std::max(moved, (positions_[i] - listedAt_[i]).squaredNorm());
   }
-  listIsOld_ = 4 * moved >= rules_.skin * rules_.skin;
+  const Real half = rules_.skin * rules_.atoms.size / 2;
+  listIsOld_ = moved >= half * half;
   return true;
 }
 
@@ -169,8 +169,7 @@ void Particles::makeList() {
     slots_[static_cast<std::size_t>(ids_[k])] = static_cast<std::int32_t>(k);
   }
   listedAt_ = positions_;
-  list_.collect(cells_, rules_.box, positions_,
-                rules_.atoms.cutoff * rules_.atoms.size + rules_.skin);
+  list_.collect(cells_, rules_.box, positions_, listReach());
   listIsOld_ = false;
   ++listsMade_;
 }

@@ -177,7 +177,7 @@ TEST_CASE("other atoms, other units: the forces are still those of all pairs") {
   const ParticleRules rules = {.atoms = {3e-21, 3.4e-10, 3.1},
                                .mass = 6.6e-26,
                                .box = {Vector3(4e-9, 3e-9, 5e-9), {P, W, P}},
-                               .skin = 1e-10};
+                               .skin = 0.3};
   const std::vector<Vector3> positions = crowdIn(rules.box, random, 400, 3.0e-10);
   const Particles particles(positions, std::vector<Vector3>(positions.size(), Vector3::Zero()),
                             rules);
