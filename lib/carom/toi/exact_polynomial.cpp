@@ -192,7 +192,8 @@ std::vector<ExactRoot> rootsInUnitInterval(const ExactPolynomial& polynomial) {
     const DyadicCell cell = std::move(open.back());
     open.pop_back();
     const Coefficients b = p.bernstein(cell);
-    if (b.front().sign() == 0) roots.emplace_back(cell);
+    // The lower end of a lower half has been looked at before.
+    if (b.front().sign() == 0 && (cell.e == 0 || cell.m.isOdd())) roots.emplace_back(cell);
     const int changes = signChanges(b);
     if (changes == 1) roots.emplace_back(p, cell);
     if (changes <= 1) continue;

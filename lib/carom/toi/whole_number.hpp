@@ -31,6 +31,10 @@ class WholeNumber {
 
   /// The sign. \return -1, 0 or 1
   int sign() const;
+  /// Is it odd? \return true if the last bit is set
+  bool isOdd() const {
+    return !digits_.empty() && digits_.front() % 2 == 1;
+  }
   /// How many bits the absolute value has. \return 0 for zero, 1 for one, 2 for two and three
   int bits() const;
   /// The number times 2^-shift as a double, rounded towards zero.

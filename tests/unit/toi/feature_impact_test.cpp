@@ -237,16 +237,22 @@ TEST_CASE("all points at one place touch at once, and nothing moving stays apart
   }
 }
 
-TEST_CASE("a double root, a vertex that touches a turning face and leaves again, is found") {
-  // The vertex stands still; the plane of the triangle comes up to it and goes down again. With
-  // linear motion: height of the edge AB (1 - 2 t), of C the other way round, the vertex between.
-  const MovingPoints points{{{{0, 0, 0}, {-1, -1, 1}, {1, -1, 1}, {0, 1, 1}}},
-                            {{{0, 0, 2}, {-1, -1, 1}, {1, -1, 1}, {0, 1, 1}}}};
-  CHECK(vertexFaceImpact(points).impact.time == 0.5);
-  // (2 t - 1)^2: two edges that turn against each other and just touch at 1/2.
-  const MovingPoints edges{{{{0, -1, 0}, {0, 1, 0}, {-1, 1, 1}, {1, -1, 1}}},
-                           {{{0, -1, 0}, {0, 1, 0}, {-1, 1, -1}, {1, -1, -1}}}};
-  CHECK(edgeEdgeImpact(edges).impact.time == 0.5);
+TEST_CASE("features that touch at a double root of the cubic and part again are found") {
+  // An edge along y, and one above it that tilts and grows: (2 t - 1)^2 times a positive number is
+  // the height between them. The ends of the second one:
+  const Vector3 c0(-1, 0, -3), c1(-1, 0, 1), d0(1, 0, 4), d1(2, 0, -1), y(0, 1, 0), o(0, 0, 0);
+  CHECK(edgeEdgeImpact({{{-y, y, c0, d0}}, {{-y, y, c1, d1}}}).impact.time == 0.5);
+  // The same height between a vertex and a triangle.
+  const MovingPoints face{{{o, c0 - y, d0 - y, c0 + 3 * y}}, {{o, c1 - y, d1 - y, c1 + 3 * y}}};
+  CHECK(vertexFaceImpact(face).impact.time == 0.5);
+  // 1e-12 m higher it is a miss, 1e-12 m lower a hit before that.
+  const Vector3 up(0, 0, 0x1p-40);
+  CHECK_FALSE(isHit(edgeEdgeImpact({{{-y, y, c0 + up, d0 + up}}, {{-y, y, c1 + up, d1 + up}}})));
+  const FeatureImpact lower =
+      edgeEdgeImpact({{{-y, y, c0 - up, d0 - up}}, {{-y, y, c1 - up, d1 - up}}});
+  CHECK(isHit(lower));
+  CHECK(lower.impact.time < 0.5);
+  CHECK(lower.impact.time > 0.5 - 0x1p-19);
 }
 
 TEST_CASE("doubles with error bounds say what whole numbers say, or leave it open") {
