@@ -29,12 +29,13 @@ const std::vector<Step> kSteps = {&Particles::explicitEulerStep, &Particles::sem
 //! [crowd]
 // Units: energy of the bond, size and mass of a disc are 1.
 Particles crowd() {
-  const carom::LatticeStart start =
-      carom::latticeStart({.sites = {20, 20, 1},
-                           .density = 0.5,
-                           .temperature = 1,
-                           .edges = {Edge::Wall, Edge::Wall, Edge::Flat}});
-  return Particles(start.positions, start.velocities, {.box = start.box});
+  carom::LatticePlan plan;
+  plan.sites = {20, 20, 1};
+  plan.density = 0.5;
+  plan.temperature = 1;
+  plan.edges = {Edge::Wall, Edge::Wall, Edge::Flat};
+  const carom::LatticeStart start = carom::latticeStart(plan);
+  return {start.positions, start.velocities, {.box = start.box}};
 }
 //! [crowd]
 

@@ -34,9 +34,13 @@ carom::io::Polyline edgesOf(const Vector3& size) {
 int main(int argc, char** argv) {
   const std::filesystem::path folder = argc > 1 ? argv[1] : ".";
   //! [crowd]
-  const carom::LatticeStart start =
-      carom::latticeStart({.sites = {25, 20, 20}, .density = 0.5, .temperature = 1});
-  Particles particles(start.positions, start.velocities, {.box = start.box});
+  carom::LatticePlan plan;
+  plan.sites = {25, 20, 20};
+  plan.density = 0.5;
+  plan.temperature = 1;
+  const carom::LatticeStart start = carom::latticeStart(plan);
+  const carom::ParticleRules rules = {.box = start.box};
+  Particles particles(start.positions, start.velocities, rules);
   //! [crowd]
   const auto count = static_cast<Real>(particles.count());
   const auto isLeft = [&](std::size_t i) {

@@ -11,8 +11,8 @@
 // well. A picture is therefore accurate to 1/65000 of a body's own path. Times, channels and CSV
 // are exact.
 //
-// Thousands of equal balls, which nobody tells apart by their turning, are a swarm: drawn in one go,
-// and stored to a fiftieth of their radius.
+// Thousands of equal balls that need not be seen to turn are a swarm: drawn in one go, and stored to
+// a hundredth of their radius.
 //
 // Not handled: bodies that change shape, or that appear and vanish (put them far away).
 
@@ -171,8 +171,8 @@ class Recording {
   /// \param name unique in the recording, shown in the list of bodies
   /// \param swarm how many balls, how large
   /// \return its index in Frame::swarms
-  /// \throws InvalidInput when there are no balls, the radius is not finite and positive, the period
-  ///        not finite or negative, the name is taken or empty, or frames have been added
+  /// \throws InvalidInput when there are no balls, the radius is not finite and positive, the
+  ///        period not finite or negative, the name is taken or empty, or frames have been added
   std::size_t addSwarm(std::string name, Swarm swarm);
 
   /// Adds a number that is plotted over time under the scene. Channels of one unit share an axis.

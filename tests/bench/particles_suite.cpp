@@ -1,5 +1,5 @@
-// The suite `particles`: a step of velocity Verlet for a crowd, by all pairs, by cells that are made
-// anew in every step, and by lists of near pairs; processor time against the number of particles.
+// The suite `particles`: a step of velocity Verlet for a crowd, by all pairs, by cells made anew in
+// every step, and by lists of near pairs; processor time against the number of particles.
 //
 // The crowds are those of chapter 6: density one half, a temperature of about one, steps of 0.005,
 // a periodic box. They have been moving for a while before they are timed, and they go on moving
