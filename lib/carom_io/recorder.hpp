@@ -11,8 +11,8 @@
 // well. A picture is therefore accurate to 1/65000 of a body's own path. Times, channels and CSV
 // are exact.
 //
-// Thousands of equal balls that need not be seen to turn are a swarm: drawn in one go, and stored to
-// a hundredth of their radius.
+// Thousands of equal balls that need not be seen to turn are a swarm: drawn in one go, and stored
+// to a hundredth of their radius.
 //
 // Not handled: bodies that change shape, or that appear and vanish (put them far away).
 
