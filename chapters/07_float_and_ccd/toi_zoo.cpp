@@ -147,10 +147,11 @@ int main(int argc, char** argv) {
       firstContact(carom::Box{{0.5, 0.3, 0.2}}, tumblingBox(), carom::HalfSpace{}, {}, 1);
   for (int i = 0; i <= 80; ++i) {
     const Real t = std::min(hit.time * i / 60, hit.time);
-    const auto turn = carom::integrateOrientation({1, 0, 0, 0}, tumblingBox().angularVelocity, t);
-    const Vector3 mark = i < 60 ? Vector3(0, 0, -5) : hit.point;
-    recording.addFrame(
-        {.time = i / 20.0, .poses = {{poseAt(tumblingBox(), t).p_WB, turn}, {mark}}});
+    const carom::Quaternion turn =
+        carom::integrateOrientation({1, 0, 0, 0}, tumblingBox().angularVelocity, t);
+    const Vector3 place = poseAt(tumblingBox(), t).p_WB;
+    const Vector3 mark = i < 60 ? place : hit.point;  // inside the box until then
+    recording.addFrame({.time = i / 20.0, .poses = {{place, turn}, {mark}}});
   }
   recording.writeHtml(folder / "toi_zoo.html");
 }

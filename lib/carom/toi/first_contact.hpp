@@ -41,7 +41,8 @@ struct ContactSearch {
 ///   contact; the gap at that time is at most the tolerance, or what rounding makes of the pair's
 ///   coordinates, or less than what closes within one unit in the last place of the time
 /// \throws InvalidInput if a number is not finite, a pose not rigid, the duration negative, a
-///   half-space turns, or both are half-spaces
+///   half-space turns, both are half-spaces, or a body goes further than 1e40 m or turns faster
+///   than 1e40 rad/s
 /// \erratum{8.6}
 /// \ingroup toi
 TimeOfImpact firstContact(const Shape& a, const Sweep& A, const Shape& b, const Sweep& B,

@@ -5,6 +5,7 @@
 
 #include "carom/core/checks.hpp"
 #include "carom/core/real.hpp"
+#include "carom/detection/limits.hpp"
 
 namespace carom {
 
@@ -17,11 +18,16 @@ struct MovingBall {
 
 /// Refuses a ball that cannot be worked with.
 /// \param ball any ball \param name what it is called, for the message
-/// \throws InvalidInput if a number is not finite or the radius negative \ingroup toi
+/// \throws InvalidInput if a number is not finite or above 1e40 in size, or the radius negative
+/// \ingroup toi
 inline void requireUsable(const MovingBall& ball, const std::string& name) {
   requireNonNegative(ball.radius, (name + ".radius").c_str());
-  requireFinite(ball.centre, (name + ".centre").c_str());
+  requireCoordinate(ball.radius, (name + ".radius").c_str());
+  requireCoordinates(ball.centre, (name + ".centre").c_str());
   requireFinite(ball.velocity, (name + ".velocity").c_str());
+  if (!(ball.velocity.cwiseAbs().maxCoeff() <= kLargestLength)) {
+    reject(name + ".velocity", toText(ball.velocity), "must have no coordinate above 1e40 m/s");
+  }
 }
 
 }  // namespace carom

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <type_traits>
 
 #include "carom/core/checks.hpp"
 #include "carom/core/cross.hpp"
 #include "carom/core/length.hpp"
+#include "carom/detection/limits.hpp"
 
 namespace carom::detail {
 namespace {
@@ -66,6 +68,19 @@ void requireSearchable(const Shape& a, const Sweep& A, const Shape& b, const Swe
   requireUsable(A, "A");
   requireUsable(B, "B");
   requireNonNegative(duration, "duration");
+  const auto requireReachable = [&](const Sweep& sweep, const char* name) {
+    const Real travelled =
+        duration * (length(sweep.velocity) + duration / 2 * length(sweep.acceleration));
+    if (!(travelled <= kLargestLength)) {
+      reject(std::string("the way of ") + name, toText(travelled), "must be at most 1e40 m");
+    }
+    if (!(length(sweep.angularVelocity) <= kLargestLength)) {
+      reject(std::string(name) + ".angularVelocity", toText(sweep.angularVelocity),
+             "must be at most 1e40 rad/s");
+    }
+  };
+  requireReachable(A, "A");
+  requireReachable(B, "B");
   const bool planeA = std::holds_alternative<HalfSpace>(a);
   const bool planeB = std::holds_alternative<HalfSpace>(b);
   if (planeA && planeB) reject("shapes", "two half-spaces", "must not both be without end");

@@ -29,7 +29,8 @@ std::vector<MovingCore> movingCores(const Shape& shape, const Sweep& sweep);
 /// \param a shape of A \param A its motion \param b shape of B \param B its motion
 /// \param duration until when to look [s]
 /// \throws InvalidInput if a number is not finite, a pose not rigid, the duration negative, a
-///   half-space turns, or both are half-spaces
+///   half-space turns, both are half-spaces, or a body goes further than 1e40 m or turns faster
+///   than 1e40 rad/s
 void requireSearchable(const Shape& a, const Sweep& A, const Shape& b, const Sweep& B,
                        Real duration);
 

@@ -10,6 +10,9 @@ TimeOfImpact sweptBallPlane(const MovingBall& ball, const Vector3& acceleration,
                             const HalfSpace& plane, Real duration) {
   requireUsable(ball, "ball");
   requireFinite(acceleration, "acceleration");
+  if (!(acceleration.cwiseAbs().maxCoeff() <= kLargestLength)) {
+    reject("acceleration", toText(acceleration), "must have no coordinate above 1e40 m/s^2");
+  }
   requireUsable(Shape(plane));
   requireNonNegative(duration, "duration");
   const Real gap = plane.normal.dot(ball.centre) - plane.offset - ball.radius;

@@ -22,7 +22,8 @@ namespace carom {
 /// \param plane at rest in the world, its normal of length one
 /// \param duration until when to look, zero or positive [s]
 /// \return status, time, point, normal from the ball into the plane, and gap at that time
-/// \throws InvalidInput if a number is not finite, the radius or the duration negative
+/// \throws InvalidInput if a number is not finite or above 1e40 in size, the radius or the duration
+///   negative
 /// \ingroup toi
 TimeOfImpact sweptBallPlane(const MovingBall& ball, const Vector3& acceleration,
                             const HalfSpace& plane, Real duration);

@@ -22,7 +22,8 @@ namespace carom {
 /// \param duration until when to look, zero or positive [s]
 /// \return status, time, point, normal from A to B, and gap at that time. Whether a graze is a hit
 ///   is decided exactly for the relative place and velocity as rounded to doubles
-/// \throws InvalidInput if a number is not finite, or a radius or the duration negative
+/// \throws InvalidInput if a number is not finite or above 1e40 in size, or a radius or the duration
+///   negative
 /// \ingroup toi
 TimeOfImpact sweptBalls(const MovingBall& a, const MovingBall& b, Real duration);
 

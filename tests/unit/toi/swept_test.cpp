@@ -183,6 +183,14 @@ TEST_CASE("searches that cannot be are refused") {
   CHECK_THROWS_AS(firstContact(Ball{1}, still, Ball{1}, still, 1, {.tolerance = kNan}),
                   InvalidInput);
   CHECK_THROWS_AS(firstContact(Ball{1}, still, Ball{1}, still, 1, {.maxSteps = 0}), InvalidInput);
+  Sweep wild;
+  wild.velocity = {1e300, 0, 0};
+  CHECK_THROWS_WITH(firstContact(Ball{1}, wild, Ball{1}, still, 1),
+                    ContainsSubstring("the way of A = 1e+300"));
+  wild = {};
+  wild.angularVelocity = {0, 1e200, 0};
+  CHECK_THROWS_WITH(firstContact(Ball{1}, wild, Ball{1}, still, 1),
+                    ContainsSubstring("A.angularVelocity"));
   CHECK_THROWS_AS(sweptBalls({-1, {}, {}}, {}, 1), InvalidInput);
   CHECK_THROWS_AS(sweptBalls({}, {1, {}, {0, kNan, 0}}, 1), InvalidInput);
 }
