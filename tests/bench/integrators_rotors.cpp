@@ -62,7 +62,7 @@ std::vector<Scene> scenes() {
            {0.001, 5, 0},
            10,
            quaternion("N8", "q_10"),
-           "tennis_racket.svg",
+           "free_rotor_racket.svg",
            "A tennis racket, thrown up about its middle axis: error of the attitude after 10 s"},
           {"N9, a round body", {2, 2, 1}, {1, 0, 4}, 10, quaternion("N9", "q"), "", ""},
           {"F, a box about its middle axis",
@@ -70,7 +70,7 @@ std::vector<Scene> scenes() {
            {0.01, 5, 0.01},
            100,
            quaternion("F", "q"),
-           "tumbling_box.svg",
+           "free_rotor_box.svg",
            "A box of 1 x 2 x 3 m about its middle axis: error of the attitude after 100 s"}};
 }
 
@@ -227,7 +227,7 @@ void sceneF(const Scene& scene, Figures& figures) {
     worst(kept.size, now.norm() / L.norm() - 1);
     worst(kept.direction, cross(now, L).norm() / L.squaredNorm());
   };
-  Kept query, stepped, two, four;
+  Kept query, stepped;
   RotorState s = start;
   for (int i = 1; i <= 6000; ++i) {
     look(rotor.at(i / 60.0), query);

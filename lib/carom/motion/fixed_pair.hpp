@@ -28,21 +28,53 @@ struct FixedRun {
   int rejected = 0;                                     ///< steps tried and thrown away
 };
 
+/// What fixedPair() is made of. \ingroup motion
 namespace fixed_pair {
 
-/// The sum of weights times slopes, written out. \ingroup motion
-template <const auto& weights, class V, std::size_t count, std::size_t... j>
-__attribute__((always_inline)) inline V weighted(const std::array<V, count>& slopes,
-                                                 std::index_sequence<j...>) {
+/// Rows of weights that are no stages. \ingroup motion
+inline constexpr int kError = -1, kLowError = -2;
+
+/// A weight of a pair.
+/// \tparam method the pair
+/// \tparam row a stage, kError or kLowError
+/// \param j which slope
+/// \return its weight [1]
+/// \ingroup motion
+template <const auto& method, int row>
+constexpr Real weightOf(std::size_t j) {
+  if constexpr (row == kError) return method.error[j];
+  if constexpr (row == kLowError) return method.lowError[j];
+  if constexpr (row >= 0) return method.stages[static_cast<std::size_t>(row)][j];
+}
+
+/// The sum of weights times slopes, written out.
+/// \tparam method the pair
+/// \tparam row a stage, kError or kLowError
+/// \tparam V a vector of fixed size
+/// \tparam count how many slopes there are
+/// \tparam j which of them count
+/// \param slopes of the stages
+/// \param which the numbers j
+/// \return the sum
+/// \ingroup motion
+template <const auto& method, int row, class V, std::size_t count, std::size_t... j>
+[[gnu::always_inline]] inline V weighted(const std::array<V, count>& slopes,
+                                         [[maybe_unused]] std::index_sequence<j...> which) {
   V sum = V::Zero();
   const auto add = [&]<std::size_t i>() __attribute__((always_inline)) {
-    if constexpr (weights[i] != 0) sum += weights[i] * slopes[i];
+    constexpr Real weight = weightOf<method, row>(i);
+    if constexpr (weight != 0) sum += weight * slopes[i];
   };
   (add.template operator()<j>(), ...);
   return sum;
 }
 
-/// The mean square of an error in units of what is allowed. \ingroup motion
+/// The mean square of an error in units of what is allowed.
+/// \tparam V a vector of fixed size
+/// \param error of each number \param before the numbers before the step \param after and after it
+/// \param tolerance what is allowed
+/// \return the mean of (error / allowed)^2 [1]
+/// \ingroup motion
 template <class V>
 Real meanSquare(const V& error, const V& before, const V& after, const Tolerance& tolerance) {
   Real sum = 0;
@@ -83,8 +115,8 @@ FixedRun<n> fixedPair(const Eigen::Matrix<Real, n, 1>& y, Real time, Real end,
   V next = y;
   const auto look = [&]<std::size_t i>() __attribute__((always_inline)) {
     if constexpr (i > 0) {
-      static constexpr const auto& row = method.stages[i];
-      next = run.y + dt * fixed_pair::weighted<row>(slopes, std::make_index_sequence<i>());
+      constexpr int row = static_cast<int>(i);
+      next = run.y + dt * fixed_pair::weighted<method, row>(slopes, std::make_index_sequence<i>());
     }
     slopes[i] = flow(run.time + method.nodes[i] * dt, next);
   };
@@ -107,11 +139,9 @@ FixedRun<n> fixedPair(const Eigen::Matrix<Real, n, 1>& y, Real time, Real end,
     (std::make_index_sequence<kStages - 1>());
 
     // Of two estimates the lower one only keeps the higher one from vanishing by chance.
-    static constexpr const auto& error = method.error;
-    static constexpr const auto& lowError = method.lowError;
     const auto all = std::make_index_sequence<kStages>();
-    const V off = dt * fixed_pair::weighted<error>(slopes, all);
-    const V lowOff = dt * fixed_pair::weighted<lowError>(slopes, all);
+    const V off = dt * fixed_pair::weighted<method, fixed_pair::kError>(slopes, all);
+    const V lowOff = dt * fixed_pair::weighted<method, fixed_pair::kLowError>(slopes, all);
     const Real high = fixed_pair::meanSquare(off, run.y, next, tolerance);
     const Real low = fixed_pair::meanSquare(lowOff, run.y, next, tolerance);
     const Real scale = high + 0.01 * low;

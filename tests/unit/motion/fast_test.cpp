@@ -350,8 +350,8 @@ TEST_CASE("N5: with a clock of its own, a planet is known to 1e-9 after a thousa
     };
     ClockedMotion<Vector2> planet = withClock(
         Vector2(1 - orbit.e, 0), Vector2(0, std::sqrt((1 + orbit.e) / (1 - orbit.e))), field);
-    // 37 steps of 17 looks in each turn, whatever the orbit.
-    followToTime(planet, 1000, 6.2831853 / 37, kKahanLi8Weights, field);
+    // 36 steps of 17 looks in each turn, whatever the orbit: within the 1e5 of the case.
+    followToTime(planet, 1000, 6.2831853 / 36, kKahanLi8Weights, field);
     const Vector2 there(number(expected[orbit.name][0]), number(expected[orbit.name][1]));
     const Vector2 speed(number(expected[orbit.name][2]), number(expected[orbit.name][3]));
     INFO("e " << orbit.e << ": " << (planet.position - there).norm() << " m, "
@@ -359,7 +359,7 @@ TEST_CASE("N5: with a clock of its own, a planet is known to 1e-9 after a thousa
     CHECK(planet.time == 1000);
     CHECK((planet.position - there).norm() < 1e-9);
     CHECK((planet.velocity - speed).norm() < 1e-9);
-    CHECK(looks <= 110000);
+    CHECK(looks <= 100000);
     // It has not left its ellipse.
     const Real turning =
         planet.position.x() * planet.velocity.y() - planet.position.y() * planet.velocity.x();
