@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "carom/core/checks.hpp"
+#include "carom/precision/determinant.hpp"
 #include "carom/precision/exact_sum.hpp"
 
 namespace carom {
@@ -66,23 +67,36 @@ ExactSum exactSum(const Corners& corners) {
   return sum;
 }
 
+// Not inlined: its many registers would be saved on the way through the filter too.
+[[gnu::noinline]] int carefulOrientation(const Vector3& o, const Vector3& a, const Vector3& b,
+                                         const Vector3& c, Real size) {
+  // Twice the digits settle all but points in the plane: four operations deep, each within 7 *
+  // 2^-106 of the terms, and the limit is a hundred times as much.
+  if (size > 1e-150 && size < 1e300) {
+    const Real more = tetrahedronDeterminant(o, a, b, c).high;
+    if (std::abs(more) > 0x1p-95 * size) return more > 0 ? 1 : -1;
+  }
+  return exactSum(scaled(o, a, b, c)).sign();
+}
+
 }  // namespace
 
 int orientation(const Vector3& o, const Vector3& a, const Vector3& b, const Vector3& c) {
   const Vector3 u = a - o, v = b - o, w = c - o;
-  Real value = 0, size = 0;
-  for (int i = 0; i < 3; ++i) {
-    const int j = (i + 1) % 3, k = (i + 2) % 3;
-    value += u(i) * (v(j) * w(k) - v(k) * w(j));
-    size += std::abs(u(i)) * (std::abs(v(j) * w(k)) + std::abs(v(k) * w(j)));
-  }
+  const Real yz = v.y() * w.z(), zy = v.z() * w.y(), zx = v.z() * w.x(), xz = v.x() * w.z(),
+             xy = v.x() * w.y(), yx = v.y() * w.x();
+  const Real ux = std::abs(u.x()), uy = std::abs(u.y()), uz = std::abs(u.z());
+  const Real value = u.x() * (yz - zy) + u.y() * (zx - xz) + u.z() * (xy - yx);
+  const Real size = ux * (std::abs(yz) + std::abs(zy)) + uy * (std::abs(zx) + std::abs(xz)) +
+                    uz * (std::abs(xy) + std::abs(yx));
   // Shewchuk's bound (7 + 56 eps) eps, eps = 2^-53, for differences, products and sums together. It
-  // does not know of underflow, hence the lower limit on size.
-  constexpr Real kErrorBound = 7.0000000000001 * 0x1p-53;
-  if (size > 1e-200 && std::abs(value) > kErrorBound * size && std::isfinite(size)) {
+  // does not know of underflow: what that costs the inner products is below 1e-322, and times the
+  // outer factor, if that is below 1e100, below kUnderflow.
+  constexpr Real kErrorBound = 7.0000000000001 * 0x1p-53, kUnderflow = 1e-200;
+  if (std::abs(value) > kErrorBound * size + kUnderflow && ux + uy + uz < 1e100) {
     return value > 0 ? 1 : -1;
   }
-  return exactSum(scaled(o, a, b, c)).sign();
+  return carefulOrientation(o, a, b, c, size);
 }
 
 Real exactTetrahedronDeterminant(const Vector3& o, const Vector3& a, const Vector3& b,

@@ -3,9 +3,9 @@
 //
 // The sign of det(a - o, b - o, c - o). A double's sign is trusted where it exceeds the largest
 // error that it can have (the filter of Shewchuk's orient3d, Discrete & Computational Geometry 18,
-// 1997), which is nearly always. Otherwise the determinant is multiplied out into 24 products of
-// three coordinates, each of which is exactly the sum of four doubles, and those are added without
-// error.
+// 1997), which is nearly always; then that of a double-double, which settles all but points in the
+// plane. For these the determinant is multiplied out into 24 products of three coordinates, each of
+// which is exactly the sum of four doubles, and those are added without error.
 
 #include "carom/core/real.hpp"
 

@@ -3,7 +3,8 @@
 //
 // The sign of a determinant of degree four in the differences of the points, filtered and exact in
 // the same way as orient2d_filtered.hpp, with stage A of Shewchuk's incircle (Discrete &
-// Computational Geometry 18, 1997). Triangulations and the corners of a hull's caps are decided by
+// Computational Geometry 18, 1997). Where that is not enough, double-doubles settle all but points
+// on the circle. Triangulations and the corners of a hull's caps are decided by
 // it. What it does not handle: coordinates that differ in size by more than 2^440.
 
 #include "carom/core/real.hpp"
