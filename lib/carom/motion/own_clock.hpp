@@ -99,7 +99,8 @@ template <class V, class Field>
 void followToTime(ClockedMotion<V>& motion, Real end, Real ds, std::span<const Real> weights,
                   Field&& field) {
   const auto left = [&] { return (end - motion.time) - motion.lostTime; };
-  const auto wanted = [&] { return left() * field(motion.position).potential; };
+  // U without a look at the field: it is T + B.
+  const auto wanted = [&] { return left() * (motion.velocity.squaredNorm() / 2 + motion.binding); };
   while (wanted() > ds) clockedStep(motion, ds, weights, field);
   // Newton's method for the length of the last step: U is the slope of s over t, and each try
   // begins where the last one ended. It ends when the clock cannot be set more finely.
