@@ -1,0 +1,25 @@
+#pragma once
+// A vertex against a face and an edge against an edge in other libraries, for the suite `toi`. Each
+// is a shared library that sees nothing of ours but this file.
+
+namespace carom::bench {
+
+/// What another library says of a query.
+struct PeerImpact {
+  bool hit = false;
+  double time = 0;
+};
+
+/// FCL: roots of the cubic by Newton's method, inside test with a tolerance (after Provot 1997).
+/// \param face vertex against face, else edge against edge
+/// \param points twelve coordinates at the start and twelve at the end
+[[gnu::visibility("default")]] PeerImpact featuresInFcl(bool face, const double* points);
+
+/// Tight-Inclusion (Wang et al. 2021) with at most 1e6 boxes, as its authors recommend.
+/// \param face vertex against face, else edge against edge
+/// \param points twelve coordinates at the start and twelve at the end
+/// \param tolerance that it stops at
+[[gnu::visibility("default")]] PeerImpact featuresInTightInclusion(bool face, const double* points,
+                                                                   double tolerance);
+
+}  // namespace carom::bench
