@@ -154,7 +154,10 @@ Real longestAdvance(const Moment& m, bool plane, const Vector3& spin, Real gap, 
   Real best = std::max(simpleAdvance(m, gap, least),
                        safeAdvance(GapBound(m, Vector3::Zero(), remaining), least, remaining));
   if (plane) return std::min(best, remaining);
-  for (const Vector3& turn : {spin, m.a.sweep.angularVelocity, m.b.sweep.angularVelocity}) {
+  // Until it is known how the normal turns: as a face of A does, or one of B.
+  const bool known = !spin.isZero(0);
+  for (const Vector3& turn : {known ? spin : m.a.sweep.angularVelocity,
+                              known ? Vector3(Vector3::Zero()) : m.b.sweep.angularVelocity}) {
     if (best >= remaining) return remaining;
     if (turn.isZero(0)) continue;
     const Real horizon = std::min(remaining, 4 * best);
