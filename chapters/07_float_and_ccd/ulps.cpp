@@ -1,8 +1,8 @@
 // Of which bits is a number made, and how far is it to the next?
 //
-// Some floats, taken apart. Then 0.1 + 0.2 in floats and in doubles, and how fine a position is at
-// growing distances from the origin. Whatever is done for both types is written once, as a
-// template.
+// Some floats, taken apart. Then 0.1 + 0.2 in floats and in doubles, tenths and thirds in decimal
+// numbers too, and how fine a position is at growing distances from the origin. Whatever is done
+// for several types is written once, as a template.
 
 #include <cmath>
 #include <filesystem>
@@ -65,6 +65,35 @@ void printThreeTenths() {
   std::cout << table << '\n';
 }
 
+//! [decimal]
+// ratio(p, q) is p / q, as the type has it.
+template <class Ratio>
+void fractions(const char* type, Ratio ratio, carom::io::Table& table) {
+  const auto third = ratio(1, 3);
+  auto tenths = ratio(0, 1);
+  for (int i = 0; i < 10; ++i) tenths += ratio(1, 10);
+  const bool sumRight = ratio(1, 10) + ratio(2, 10) == ratio(3, 10);
+  const bool tenthsOne = tenths == ratio(1, 1);
+  const bool thirdsOne = third + third + third == ratio(1, 1);
+  const auto say = [](bool yes) { return yes ? "yes" : "no"; };
+  table.row({type, say(sumRight), say(tenthsOne), say(thirdsOne)});
+}
+//! [decimal]
+
+void printFractions() {
+  carom::io::Table table;
+  table.column("type").column("0.1 + 0.2 = 0.3").column("ten tenths = 1");
+  table.column("three thirds = 1");
+  fractions(
+      "float", [](int p, int q) { return static_cast<float>(p) / static_cast<float>(q); }, table);
+  fractions(
+      "double", [](int p, int q) { return static_cast<double>(p) / q; }, table);
+  // Sixteen decimal digits: a whole number of 1e-16.
+  fractions(
+      "decimal", [](int p, int q) { return p * std::int64_t{10000000000000000} / q; }, table);
+  std::cout << table << '\n';
+}
+
 void printSpacing() {
   const std::vector<std::pair<std::string, Real>> places = {
       {"1 m", 1},         {"1 km", 1e3},   {"16 km", 16e3}, {"2^17 m", 0x1p17}, {"1 000 km", 1e6},
@@ -91,6 +120,7 @@ void drawSteps(const std::string& type, carom::io::Plot& plot) {
 int main(int argc, char** argv) {
   printBits();
   printThreeTenths();
+  printFractions();
   printSpacing();
 
   carom::io::Plot plot("How fine is a position?");
