@@ -646,7 +646,7 @@ void energyDrift(const Options& options, Figures& figures) {
   plot.describe(
       "Explicit Euler and the listing of the source leave at once, Runge and Kutta's method grows "
       "steadily; the symplectic ones stay where they are, the lower the higher their order.");
-  plot.size(1000, 640).xAxis("time [s]", io::Scale::Logarithmic).xRange(0.01, 1e6);
+  plot.size(1000, 640).xAxis("time [s]", io::Scale::Logarithmic).xRange(0.01, 1e5);
   plot.yAxis("largest error of the energy, relative", io::Scale::Logarithmic).yRange(1e-17, 100);
   io::Table table;
   table.column("N15, 1e6 steps at 60 a second").column("1e5 steps", io::scientific(1));
@@ -681,6 +681,7 @@ void energyDrift(const Options& options, Figures& figures) {
     figures.rows.push_back(row);
     io::CurveStyle style = styleOf(color, m.peer);
     style.marks = false;
+    style.dashed = !m.peer && color >= 9;  // the colours begin again
     if (!m.peer) ++color;
     plot.curve(m.name, x, y, style);
     if (std::string(m.name) == "Kahan and Li 8, compensated") {

@@ -107,7 +107,9 @@ void Race::draw(const std::filesystem::path& file, const std::string& title,
   constexpr Real kTop = 10;  // what failed stands here
   io::Plot plot(title);
   plot.describe(text);
-  plot.size(1000, 640).xAxis("time per simulated second [us]", io::Scale::Logarithmic);
+  // As high as its list of names: gnuplot would put a longer one beside itself.
+  const int height = std::max(640, 160 + 21 * static_cast<int>(curves_.size() + 1));
+  plot.size(1000, height).xAxis("time per simulated second [us]", io::Scale::Logarithmic);
   plot.yAxis("error [" + unit_ + "]", io::Scale::Logarithmic).yRange(low / 1000, kTop);
   Real left = std::numeric_limits<Real>::infinity(), right = 0;
   std::size_t i = 0, peers = 0;

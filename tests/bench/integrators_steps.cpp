@@ -156,8 +156,7 @@ std::vector<OrderMethod> orderMethods() {
           composed("Kahan and Li 8", 8, 14, kKahanLi8Weights),
           split("Blanes and Moan 4", 4, 64, kBlanesMoan4),
           split("Blanes and Moan 6", 6, 10, kBlanesMoan6),
-          extrapolated("extrapolated Verlet, 3 answers", 6, 16, 3),
-          extrapolated("extrapolated Verlet, 2 answers", 4, 64, 2)};
+          extrapolated("extrapolated Verlet, 3 answers", 6, 16, 3)};
 }
 
 // The order from the finest two runs whose errors are well above rounding, and the order before it.
