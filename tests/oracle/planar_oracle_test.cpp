@@ -1,4 +1,5 @@
-// Detection in the plane before a judge: CGAL's exact predicates, and distances in fractions.
+// Detection in the plane, and the predicates of chapter 7, before a judge: CGAL's exact predicates,
+// and distances in fractions.
 //
 // CAROM_ORACLE_PAIRS sets the number of pairs of each family, as in detection_oracle_test.cpp.
 
@@ -8,6 +9,7 @@
 #include <CGAL/intersections.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <functional>
@@ -18,12 +20,17 @@
 #include "carom/core/random.hpp"
 #include "carom/detection/planar_gjk.hpp"
 #include "carom/detection/separate_polygons.hpp"
+#include "carom/precision/exact_determinant.hpp"
+#include "carom/precision/exact_orient2d.hpp"
+#include "carom/precision/in_circle.hpp"
+#include "carom/precision/orient2d_filtered.hpp"
 #include "support/catch.hpp"
 
 using carom::PlanarPose;
 using carom::Random;
 using carom::Real;
 using carom::Vector2;
+using carom::Vector3;
 using carom::Verdict;
 
 namespace {
@@ -319,4 +326,69 @@ TEST_CASE("the distance of two polygons is the exact one, and its points show it
       CHECK(worstOff <= 64);
     }
   }
+}
+
+namespace {
+
+// Questions to the predicates: points at random, on a grid, and rounded onto what they are asked
+// about, near the origin and far from it, tiny and large.
+struct Question {
+  std::array<Vector2, 4> inPlane;
+  std::array<Vector3, 4> inSpace;
+};
+
+Question anyQuestion(Random& random) {
+  Question q;
+  const int kind = random.integer(0, 4);
+  const Real size = std::ldexp(1.0, random.integer(-100, 100));
+  const Vector3 far = kind == 4 ? Vector3(1e3 * random.vector(size)) : Vector3::Zero();
+  for (std::size_t i = 0; i < 4; ++i) {
+    q.inSpace[i] = kind == 0 || kind >= 3
+                       ? Vector3(far + random.vector(size))
+                       : Vector3(random.integer(0, 7), random.integer(0, 7), random.integer(0, 7));
+    q.inPlane[i] = q.inSpace[i].head<2>();
+  }
+  if (kind == 2) {  // a grid that is not on whole numbers
+    for (auto& p : q.inSpace) p *= 0.1;
+    for (auto& p : q.inPlane) p *= 0.1;
+  }
+  if (kind < 3) return q;
+  const auto& [o, a, b, c] = q.inSpace;
+  q.inSpace[3] = o + random.between(-3, 3) * (a - o) + random.between(-3, 3) * (b - o);
+  q.inPlane[2] = q.inPlane[0] + random.between(-3, 3) * (q.inPlane[1] - q.inPlane[0]);
+  if (kind == 4) {  // on a circle instead of a line
+    const Vector2 center = far.head<2>();
+    for (std::size_t i = 0; i < 4; ++i) {
+      const Real angle = random.between(0, 6.3);
+      q.inPlane[i] = center + size * Vector2(std::cos(angle), std::sin(angle));
+    }
+  }
+  return q;
+}
+
+}  // namespace
+
+TEST_CASE("the predicates are CGAL's, on easy points and on degenerate ones") {
+  Random random(15);
+  const int count = 100 * pairsOfEachFamily(2000);
+  int wrong = 0, zeros = 0, exactOnes = 0;
+  for (int i = 0; i < count; ++i) {
+    const Question q = anyQuestion(random);
+    const auto& [a, b, c, d] = q.inPlane;
+    const auto& [o, u, v, w] = q.inSpace;
+    const auto space = [](const Vector3& p) { return Kernel::Point_3(p.x(), p.y(), p.z()); };
+    const int side = CGAL::orientation(exact(a), exact(b), exact(c));
+    const int circle = CGAL::side_of_oriented_circle(exact(a), exact(b), exact(c), exact(d));
+    const int plane = CGAL::orientation(space(o), space(u), space(v), space(w));
+    const carom::FilteredSign line = carom::orient2dFiltered(a, b, c);
+    wrong += line.sign != side;
+    wrong += carom::exactOrient2d(a, b, c) != side;
+    wrong += carom::inCircle(a, b, c, d).sign != circle;
+    wrong += carom::orientation(o, u, v, w) != plane;
+    zeros += (side == 0) + (circle == 0) + (plane == 0);
+    exactOnes += !line.filtered;
+  }
+  CHECK(wrong == 0);
+  CHECK(zeros > count / 20);
+  CHECK(exactOnes > count / 20);
 }

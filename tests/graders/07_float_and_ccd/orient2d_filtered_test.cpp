@@ -69,9 +69,8 @@ Triple clear(Random& random, Real size) {
 }
 
 void askSign(const Triple& t, const char* what) {
-  const auto sign = [&t] { return orient2dFiltered(t.a, t.b, t.c).sign; };
-  GRADE(sign(), t.side, within(0, kSign), given("a", t.a, "m"), given("b", t.b, "m"),
-        given("c", t.c, "m"), about(what));
+  GRADE(orient2dFiltered(t.a, t.b, t.c).sign, t.side, within(0, kSign), given("a", t.a, "m"),
+        given("b", t.b, "m"), given("c", t.c, "m"), about(what));
 }
 
 }  // namespace

@@ -49,14 +49,14 @@ Equation nearlyEqual(Random& random) {
 
 // The roots are graded one by one, since one may be much smaller than the other.
 void ask(const Equation& e, const char* what) {
-  const auto first = [&] { return stableQuadratic(e.a, e.b, e.c).first; };
-  const auto second = [&] { return stableQuadratic(e.a, e.b, e.c).second; };
   GRADE(stableQuadratic(e.a, e.b, e.c), e.roots, withinRelative(kFew, kDigits), given("a", e.a),
         given("b", e.b), given("c", e.c), about(what));
-  GRADE(first(), e.roots.first, withinRelative(kFew, kDigits), given("a", e.a), given("b", e.b),
-        given("c", e.c), about("the smaller root of the same equation"));
-  GRADE(second(), e.roots.second, withinRelative(kFew, kDigits), given("a", e.a), given("b", e.b),
-        given("c", e.c), about("the larger root of the same equation"));
+  GRADE(stableQuadratic(e.a, e.b, e.c).first, e.roots.first, withinRelative(kFew, kDigits),
+        given("a", e.a), given("b", e.b), given("c", e.c),
+        about("the smaller root of the same equation"));
+  GRADE(stableQuadratic(e.a, e.b, e.c).second, e.roots.second, withinRelative(kFew, kDigits),
+        given("a", e.a), given("b", e.b), given("c", e.c),
+        about("the larger root of the same equation"));
 }
 
 Real eighths(Random& random, int size) {
