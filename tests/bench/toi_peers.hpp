@@ -1,6 +1,8 @@
 #pragma once
-// A vertex against a face and an edge against an edge in other libraries, for the suite `toi`. Each
-// is a shared library that sees nothing of ours but this file.
+// First contacts in other libraries, for the suite `toi`. Each is a shared library that sees nothing
+// of ours but this file.
+
+#include <array>
 
 namespace carom::bench {
 
@@ -21,5 +23,18 @@ struct PeerImpact {
 /// \param tolerance that it stops at
 [[gnu::visibility("default")]] PeerImpact featuresInTightInclusion(bool face, const double* points,
                                                                    double tolerance);
+
+/// A motion as Bullet takes it: places and quaternions w, x, y, z.
+struct PeerSweep {
+  std::array<double, 7> start = {};
+  std::array<double, 7> end = {};
+};
+
+/// Bullet's conservative advancement (btContinuousConvexCollision), without margins.
+/// \param a corners of A, three coordinates each \param countA how many \param A motion of A
+/// \param b corners of B \param countB how many \param B motion of B
+[[gnu::visibility("default")]] PeerImpact hullsInBullet(const double* a, int countA,
+                                                        const PeerSweep& A, const double* b,
+                                                        int countB, const PeerSweep& B);
 
 }  // namespace carom::bench

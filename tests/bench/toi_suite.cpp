@@ -4,6 +4,7 @@
 #include <iostream>
 
 #include "bench/bench.hpp"
+#include "bench/toi_bodies.hpp"
 #include "bench/toi_features.hpp"
 
 int main(int argc, char** argv) {
@@ -13,5 +14,8 @@ int main(int argc, char** argv) {
   std::cout << carom::bench::circumstancesInALine() << "\n\n";
   if (!options.plots.empty()) std::filesystem::create_directories(options.plots);
   figures["rows"] = carom::bench::raceFeatures(options);
+  for (const carom::bench::Json& row : carom::bench::raceBodies(options)) {
+    figures["rows"].push_back(row);
+  }
   carom::bench::writeJson(options, figures);
 }
