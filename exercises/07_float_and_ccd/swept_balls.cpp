@@ -1,0 +1,36 @@
+// Exercise 07.swept_balls: when do two balls meet that move in straight lines?
+// Check it with: ./course check 07.swept_balls
+
+#include "carom/toi/swept_balls.hpp"
+
+#include <cmath>
+
+#include "carom/core/checks.hpp"
+#include "carom/core/cross.hpp"
+#include "carom/core/todo.hpp"
+#include "carom/precision/double_double.hpp"
+
+namespace carom {
+namespace {
+
+// Given: p.p - R^2 with all its digits, also when the balls nearly touch.
+Real outside(const Vector3& p, Real R) {
+  const DoubleDouble squared =
+      exactProduct(p.x(), p.x()) + exactProduct(p.y(), p.y()) + exactProduct(p.z(), p.z());
+  return (squared - exactProduct(R, R)).value();
+}
+
+}  // namespace
+
+TimeOfImpact sweptBalls(const MovingBall& a, const MovingBall& b, Real duration) {
+  // Given: what cannot be worked with is refused.
+  requireUsable(a, "a");
+  requireUsable(b, "b");
+  requireNonNegative(duration, "duration");
+  TimeOfImpact result;  // no hit, until it is found
+  // cross(p, v), p.dot(v), v.squaredNorm() and v.normalized() work on vectors. A status is, for
+  // example, ImpactStatus::kHit.
+  return todo<TimeOfImpact>("sweptBalls");
+}
+
+}  // namespace carom

@@ -1,0 +1,27 @@
+// Exercise 07.tunnels: can a body jump over another one between two pictures?
+// Check it with: ./course check 07.tunnels
+
+#include "carom/toi/tunnels.hpp"
+
+#include <cmath>
+
+#include "carom/core/checks.hpp"
+#include "carom/core/todo.hpp"
+
+namespace carom {
+
+bool tunnels(Real lengthA, Real lengthB, Real speed, Real dt) {
+  // Given: what cannot be is refused.
+  requireNonNegative(lengthA, "lengthA");
+  requireNonNegative(lengthB, "lengthB");
+  requireFinite(speed, "speed");
+  requireNonNegative(dt, "dt");
+  //# solution
+  return std::abs(speed) * dt > lengthA + lengthB;
+  //# stub
+  // std::abs(x) is x without its sign.
+  //#| return todo<bool>("tunnels");
+  //# end
+}
+
+}  // namespace carom
