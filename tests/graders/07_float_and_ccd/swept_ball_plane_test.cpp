@@ -181,4 +181,6 @@ PROBES() {
   Throw level = falling(random);
   level.acceleration = Vector3::Zero();
   PROBE(status(level, 99));
+  PROBE(time(justAbove(random, -2.5), 9));
+  PROBE(time(justAbove(random, -3.75), 9));
 }

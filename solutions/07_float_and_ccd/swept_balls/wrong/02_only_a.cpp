@@ -13,7 +13,7 @@ namespace carom {
 namespace {
 
 // Given: p.p - R^2 with all its digits, also when the balls nearly touch.
-Real outside(const Vector3& p, Real R) {
+[[maybe_unused]] Real outside(const Vector3& p, Real R) {
   const DoubleDouble squared =
       exactProduct(p.x(), p.x()) + exactProduct(p.y(), p.y()) + exactProduct(p.z(), p.z());
   return (squared - exactProduct(R, R)).value();

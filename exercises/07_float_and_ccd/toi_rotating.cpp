@@ -1,0 +1,54 @@
+// Exercise 07.toi_rotating: when do two bodies touch that turn while they move?
+// Check it with: ./course check 07.toi_rotating
+
+#include "carom/toi/toi_rotating.hpp"
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "carom/core/checks.hpp"
+#include "carom/core/todo.hpp"
+#include "carom/detection/gjk_distance.hpp"
+
+namespace carom {
+namespace {
+
+std::vector<Vector3> cornersAt(std::span<const Vector3> corners, const Sweep& sweep, Real time) {
+  const Pose pose = poseAt(sweep, time);
+  std::vector<Vector3> placed;
+  for (const Vector3& corner : corners) placed.push_back(pointToWorld(pose, corner));
+  return placed;
+}
+
+// Given: the gap at a time, by GJK, with the normal from A to B and the point in the middle.
+TimeOfImpact look(std::span<const Vector3> a, const Sweep& A, std::span<const Vector3> b,
+                  const Sweep& B, Real time) {
+  const PointDistance found = gjkDistance(cornersAt(a, A, time), cornersAt(b, B, time));
+  TimeOfImpact result;
+  result.time = time;
+  result.gap = found.distance;
+  result.point = (found.pointA + found.pointB) / 2;
+  if (found.distance > 0) result.normal = (found.pointB - found.pointA) / found.distance;
+  return result;
+}
+
+}  // namespace
+
+TimeOfImpact toiRotating(std::span<const Vector3> a, const Sweep& A, std::span<const Vector3> b,
+                         const Sweep& B, Real duration, Real tolerance, int maxSteps) {
+  // Given: what cannot be worked with is refused.
+  requireUsable(A, "A");
+  requireUsable(B, "B");
+  requireNonNegative(duration, "duration");
+  requirePositive(tolerance, "tolerance");
+  if (maxSteps < 1) reject("maxSteps", std::to_string(maxSteps), "must be positive");
+  TimeOfImpact result = look(a, A, b, B, 0);  // its status is kNoHit, its steps are 0
+  // A Sweep has velocity, acceleration, angularVelocity and centre, the point of the body that it
+  // turns about. v.dot(w) and v.norm() work on vectors; std::max(a, b) is the larger one.
+  // look(...) begins a new answer: keep count of the steps beside it, and let the count end the
+  // loop.
+  return todo<TimeOfImpact>("toiRotating");
+}
+
+}  // namespace carom
