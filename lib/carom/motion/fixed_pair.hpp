@@ -31,8 +31,10 @@ struct FixedRun {
 /// What fixedPair() is made of. \ingroup motion
 namespace fixed_pair {
 
-/// Rows of weights that are no stages. \ingroup motion
-inline constexpr int kError = -1, kLowError = -2;
+/// The weights of the error, which are no stage. \ingroup motion
+inline constexpr int kError = -1;
+/// The weights of the second error, of the lower order. \ingroup motion
+inline constexpr int kLowError = -2;
 
 /// A weight of a pair.
 /// \tparam method the pair
