@@ -339,7 +339,15 @@ struct Question {
 
 Question anyQuestion(Random& random) {
   Question q;
-  const int kind = random.integer(0, 4);
+  const int kind = random.integer(0, 5);
+  if (kind == 5) {  // coordinates of very different sizes
+    const auto any = [&] { return std::ldexp(random.between(-1, 1), random.integer(-100, 100)); };
+    for (std::size_t i = 0; i < 4; ++i) {
+      for (Real& x : q.inSpace[i]) x = random.integer(0, 3) == 0 ? 0 : any();
+      q.inPlane[i] = q.inSpace[i].head<2>();
+    }
+    return q;
+  }
   const Real size = std::ldexp(1.0, random.integer(-100, 100));
   const Vector3 far = kind == 4 ? Vector3(1e3 * random.vector(size)) : Vector3::Zero();
   for (std::size_t i = 0; i < 4; ++i) {

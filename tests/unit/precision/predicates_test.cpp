@@ -1,10 +1,12 @@
 // Planar predicates, judged by integers of 128 bits.
 
+#include <array>
 #include <cmath>
 #include <limits>
 
 #include "carom/core/errors.hpp"
 #include "carom/core/random.hpp"
+#include "carom/precision/exact_determinant.hpp"
 #include "carom/precision/exact_orient2d.hpp"
 #include "carom/precision/in_circle.hpp"
 #include "carom/precision/orient2d.hpp"
@@ -106,6 +108,25 @@ TEST_CASE("coordinates from the smallest to the largest are judged") {
   }
   CHECK(orient2dFiltered({0, 0}, {1, 1e-200}, {2, 3e-200}).sign == 1);
   CHECK(orient2dFiltered({0, 1}, {1, 1}, {2, 1 + 0x1p-52}).sign == 1);
+}
+
+TEST_CASE("coordinates of very different sizes: the filter never contradicts the exact sign") {
+  Random random(84);
+  const auto any = [&random] {
+    const Real x = std::ldexp(random.between(-1, 1), random.integer(-280, 280));
+    return random.integer(0, 3) == 0 ? 0 : x;
+  };
+  for (int i = 0; i < 50000; ++i) {
+    std::array<Vector3, 4> p;
+    for (Vector3& corner : p) {
+      for (Real& x : corner) x = any();
+    }
+    const auto& [o, a, b, c] = p;
+    const Real volume = exactTetrahedronDeterminant(o, a, b, c);
+    REQUIRE(orientation(o, a, b, c) == (volume > 0) - (volume < 0));
+    const Vector2 u = o.head<2>(), v = a.head<2>(), w = b.head<2>();
+    REQUIRE(orient2dFiltered(u, v, w).sign == exactOrient2d(u, v, w));
+  }
 }
 
 TEST_CASE("the filter settles more than 999 of 1000 random points") {
