@@ -14,9 +14,9 @@ namespace carom {
 std::vector<AdvanceCost> advanceCost(Real caution, std::span<const Real> tolerances) {
   // Given: what cannot be measured is refused.
   requireFinite(caution, "caution");
-  if (caution < 1) reject("caution", std::to_string(caution), "must be at least 1");
+  if (caution < 1) reject("caution", toText(caution), "must be at least 1");
   for (const Real tolerance : tolerances) requirePositive(tolerance, "tolerance");
-  const int most = std::numeric_limits<int>::max();  // never give up
+  [[maybe_unused]] const int most = std::numeric_limits<int>::max();  // never give up
   std::vector<AdvanceCost> table;
   // conservativeAdvancement(gap, fastest, duration, tolerance, most) searches; a gap can be a
   // lambda, const auto gap = [](Real time) { return ...; }; and table.push_back({x, n}) adds a row.

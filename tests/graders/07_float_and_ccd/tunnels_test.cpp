@@ -80,4 +80,6 @@ PROBES() {
   }
   PROBE(tunnels(3, 5, 16, 0.5));
   PROBE(tunnels(2, 2, 1, 1));
+  PROBE(tunnels(2, 3, 4, 5));
+  PROBE(tunnels(3, 2, -3, 6));
 }

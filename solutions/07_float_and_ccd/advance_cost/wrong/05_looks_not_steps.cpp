@@ -15,7 +15,7 @@ std::vector<AdvanceCost> advanceCost(Real caution, std::span<const Real> toleran
   requireFinite(caution, "caution");
   if (caution < 1) reject("caution", toText(caution), "must be at least 1");
   for (const Real tolerance : tolerances) requirePositive(tolerance, "tolerance");
-  const int most = std::numeric_limits<int>::max();  // never give up
+  [[maybe_unused]] const int most = std::numeric_limits<int>::max();  // never give up
   std::vector<AdvanceCost> table;
   const auto gap = [](Real time) { return 1 - time; };
   for (const Real tolerance : tolerances) {
