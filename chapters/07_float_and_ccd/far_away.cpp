@@ -103,7 +103,7 @@ int main(int argc, char** argv) {
   plot.describe(
       "In cells the path is a circle. In floats it is a broken line that does not close.");
   carom::io::Recording recording("Far from the origin",
-                                 "A ball on a circle: it trembles in floats, and not in cells.");
+                                 "A ball on a circle: crooked in floats, round in cells.");
   recording.addBody("floats", carom::io::Disc{0.06}, {.trail = true});
   recording.addBody("cells", carom::io::Disc{0.06}, {.trail = true});
   recording.setView({.flat = true, .target = Vector3(0.4, 0, 0), .distance = 0.6});
