@@ -43,7 +43,8 @@ TimeOfImpact toiRotating(std::span<const Vector3> a, const Sweep& A, std::span<c
   requireNonNegative(duration, "duration");
   requirePositive(tolerance, "tolerance");
   if (maxSteps < 1) reject("maxSteps", std::to_string(maxSteps), "must be positive");
-  TimeOfImpact result = look(a, A, b, B, 0);  // its status is kNoHit, its steps are 0
+  // Given: the first look. Its status is kNoHit, its steps are 0.
+  [[maybe_unused]] TimeOfImpact result = look(a, A, b, B, 0);
   // A Sweep has velocity, acceleration, angularVelocity and centre, the point of the body that it
   // turns about. v.dot(w) and v.norm() work on vectors; std::max(a, b) is the larger one.
   // look(...) begins a new answer: keep count of the steps beside it, and let the count end the

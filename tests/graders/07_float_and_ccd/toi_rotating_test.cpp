@@ -65,6 +65,20 @@ Pair bladeAndPoint(Real rate, Real angle, Real distance) {
   return p;
 }
 
+// The same pair, so many times as large.
+Pair scaled(Pair p, Real size) {
+  for (Corners* corners : {&p.a, &p.b}) {
+    for (Vector3& corner : *corners) corner *= size;
+  }
+  for (Sweep* sweep : {&p.A, &p.B}) {
+    sweep->start.p_WB *= size;
+    sweep->velocity *= size;
+    sweep->acceleration *= size;
+    sweep->centre *= size;
+  }
+  return p;
+}
+
 // A rod of 2 m that spins about the y axis while it falls onto a plate.
 struct Rod {
   Real height, angle, rate, speed;
@@ -135,8 +149,6 @@ TEST_CASE("flies") {
     const Pair p = boxAbovePlate(height, -speed, 0);
     askHit(n % 2 ? swapped(p) : p, 5, height / speed, speed, "a box flies down to a thin plate");
   }
-  GRADE(run(boxAbovePlate(2, -4, 0), 3).normal, -Vector3::UnitZ(), within(1e-6, "GJK's roundings"),
-        about("the normal, from the box to the plate"));
 }
 
 TEST_CASE("speeds_up") {
@@ -181,18 +193,13 @@ TEST_CASE("rod") {
            "a rod that falls and spins onto a thin plate");
   }
   // A long one: its tips move much faster than its angular velocity says.
-  Pair far = bladeAndPoint(3, 1, 0.9);
-  for (Vector3* p : {&far.a[0], &far.a[1], &far.A.centre, &far.A.start.p_WB, &far.B.start.p_WB}) {
-    *p *= 8;
-  }
+  const Pair far = scaled(bladeAndPoint(3, 1, 0.9), 8);
   askHit(far, 1, 1.0 / 3, 3 * 7.2, "a blade of 8 m that turns at 3 rad/s");
 }
 
 TEST_CASE("status") {
   const Pair p = boxAbovePlate(2, -4, 0);
   askStatus(p, 0.49, ImpactStatus::kNoHit, "2 m at 4 m/s, and 0.49 s");
-  GRADE(run(p, 0.49).time, 0.49, within(1e-15, "the end"), unit("s"), given("duration", 0.49, "s"),
-        about("how far it has looked, if there is no hit"));
   askStatus(p, 3, ImpactStatus::kHit, "the same, and 3 s");
   const Pair spinning = Rod{1.5, 0.2, 6, 0}.pair();
   Pair high = spinning;
@@ -216,6 +223,8 @@ PROBES() {
     const Pair blade = bladeAndPoint(rate, angle, random.between(0.8, 0.95));
     PROBE(run(blade, 3 / rate, 400).time);
     PROBE(run(swapped(blade), 3 / rate, 400).time);
+    PROBE(run(blade, 3 / rate, 2).time);
+    PROBE(run(scaled(blade, 5), 3 / rate, 2).time);
     const Real height = random.between(0.5, 2);
     PROBE(run(boxAbovePlate(height, -5, 0), 3, 400).time);
     PROBE(run(boxAbovePlate(height, 0, -9), 3, 400).time);

@@ -42,7 +42,8 @@ TimeOfImpact toiRotating(std::span<const Vector3> a, const Sweep& A, std::span<c
   requireNonNegative(duration, "duration");
   requirePositive(tolerance, "tolerance");
   if (maxSteps < 1) reject("maxSteps", std::to_string(maxSteps), "must be positive");
-  TimeOfImpact result = look(a, A, b, B, 0);  // its status is kNoHit, its steps are 0
+  // Given: the first look. Its status is kNoHit, its steps are 0.
+  [[maybe_unused]] TimeOfImpact result = look(a, A, b, B, 0);
   const auto turnOf = [](std::span<const Vector3> corners, const Sweep& sweep) {
     Real farthest = 0;
     for (const Vector3& corner : corners) {
