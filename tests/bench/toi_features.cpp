@@ -176,7 +176,7 @@ void draw(const std::vector<Result>& results, std::size_t count, const Options& 
   }
   const Real edge = std::pow(10, std::floor(std::log10(left)));
   plot.xRange(edge, std::pow(10, std::ceil(std::log10(right))));
-  sign(plot, edge * 1.3, 1e-18, 0.1);
+  sign(plot, edge * 1.3, 5e-18, 0.15);
   const auto file = options.plots / "vertex_face.svg";
   plot.writeSvg(file);
   std::cout << "wrote " << file.string() << '\n';

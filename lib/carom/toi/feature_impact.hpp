@@ -8,10 +8,9 @@
 // nothing certain can be said are halved a few times. (2) A root that is certain to be a hit is
 // sharpened with twice the digits. (3) What stays open - features that just touch, motion in one
 // plane, triangles without area - is decided in whole numbers (exact_contact.hpp).
-// Why this way: the cubic with a tolerance (Provot 1997) drops hits, the safest of methods. Interval
-// arithmetic alone (Wang et al. 2021) never does, but near misses cost it milliseconds, and it
-// answers hit when it gives up. Brochu, Edwards and Bridson (2012) answer exactly whether there is
-// a hit, but not when.
+// Why this way: the cubic with a tolerance (Provot 1997) drops hits. Interval arithmetic alone
+// (Wang et al. 2021) never does, but near misses cost it milliseconds, and it answers hit when it
+// gives up. Brochu, Edwards and Bridson (2012) answer exactly whether there is a hit, but not when.
 // The time is the exact first time of contact, rounded down to a double: it is never late, and less
 // than one unit in the last place early. Touching counts as a hit, also at the start and the end.
 // Not handled: points on curved paths; a thickness of the surfaces.
@@ -31,7 +30,7 @@ enum class DecidedBy {
 
 /// The first contact of two features. \ingroup toi
 struct FeatureImpact {
-  /// kHit or kNoHit. The point, the normal and the gap are those of the features at `time`, rounded.
+  /// kHit or kNoHit. Point, normal and gap are those of the features at `time`, rounded.
   TimeOfImpact impact;
   /// Of the four points, in their order. Vertex and face: 1, then the weights of the corners. Two
   /// edges: those of both ends of the first, then of both ends of the second.
