@@ -75,13 +75,22 @@ Real time(const Throw& t, Real duration) {
 }
 
 void askStatus(const Throw& t, Real duration, ImpactStatus expected, const char* what) {
-  GRADE(status(t, duration), expected, within(0, "the status is one of four"),
-        given("ball", t.ball), given("acceleration", t.acceleration, "m/s^2"),
-        given("plane", t.plane), given("duration", duration, "s"), about(what));
+  const MovingBall& ball = t.ball;
+  const Vector3& acceleration = t.acceleration;
+  const HalfSpace& plane = t.plane;
+  GRADE(sweptBallPlane(ball, acceleration, plane, duration).status, expected,
+        within(0, "the status is one of four"), given("ball", t.ball),
+        given("acceleration", t.acceleration, "m/s^2"), given("plane", t.plane),
+        given("duration", duration, "s"), about(what));
 }
 void askTime(const Throw& t, Real tolerance, const char* why, const char* what) {
   askStatus(t, t.time + 10, ImpactStatus::kHit, what);
-  GRADE(time(t, t.time + 10), t.time, withinRelative(tolerance, why), given("ball", t.ball),
+  const Real duration = t.time + 10;
+  const MovingBall& ball = t.ball;
+  const Vector3& acceleration = t.acceleration;
+  const HalfSpace& plane = t.plane;
+  GRADE(sweptBallPlane(ball, acceleration, plane, duration).time, t.time,
+        withinRelative(tolerance, why), given("ball", t.ball),
         given("acceleration", t.acceleration, "m/s^2"), given("plane", t.plane),
         given("duration", t.time + 10, "s"), unit("s"), about(what));
 }

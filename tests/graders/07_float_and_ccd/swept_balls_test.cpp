@@ -85,12 +85,15 @@ Real time(const Meeting& m, Real duration) {
 }
 
 void askStatus(const Meeting& m, Real duration, ImpactStatus expected, const char* what) {
-  GRADE(status(m, duration), expected, within(0, "the status is one of four"), given("a", m.a),
-        given("b", m.b), given("duration", duration, "s"), about(what));
+  const MovingBall &a = m.a, &b = m.b;
+  GRADE(sweptBalls(a, b, duration).status, expected, within(0, "the status is one of four"),
+        given("a", m.a), given("b", m.b), given("duration", duration, "s"), about(what));
 }
 void askTime(const Meeting& m, Real tolerance, const char* why, const char* what) {
   askStatus(m, 2 * m.time + 1, ImpactStatus::kHit, what);
-  GRADE(time(m, 2 * m.time + 1), m.time, withinRelative(tolerance, why), given("a", m.a),
+  const MovingBall &a = m.a, &b = m.b;
+  const Real duration = 2 * m.time + 1;
+  GRADE(sweptBalls(a, b, duration).time, m.time, withinRelative(tolerance, why), given("a", m.a),
         given("b", m.b), given("duration", 2 * m.time + 1, "s"), unit("s"), about(what));
 }
 

@@ -128,19 +128,27 @@ Real late(const TimeOfImpact& hit, Real first) {
 
 void askStatus(const Pair& p, Real duration, ImpactStatus expected, const char* what,
                int maxSteps = kMany) {
-  GRADE(run(p, duration, maxSteps).status, expected, within(0, "the status is one of four"),
-        given("a", p.a, "m"), given("A", p.A), given("b", p.b, "m"), given("B", p.B),
-        given("duration", duration, "s"), given("maxSteps", maxSteps), about(what));
+  const Corners &a = p.a, &b = p.b;
+  const Sweep &A = p.A, &B = p.B;
+  const Real tolerance = kTolerance;
+  GRADE(toiRotating(a, A, b, B, duration, tolerance, maxSteps).status, expected,
+        within(0, "the status is one of four"), given("a", p.a, "m"), given("A", p.A),
+        given("b", p.b, "m"), given("B", p.B), given("duration", duration, "s"),
+        given("maxSteps", maxSteps), about(what));
 }
 void askHit(const Pair& p, Real duration, Real first, Real speed, const char* what) {
   askStatus(p, duration, ImpactStatus::kHit, what);
-  GRADE(run(p, duration).time, first,
+  const Corners &a = p.a, &b = p.b;
+  const Sweep &A = p.A, &B = p.B;
+  const Real tolerance = kTolerance;
+  GRADE(toiRotating(a, A, b, B, duration, tolerance, kMany).time, first,
         within(1.2 * kTolerance / speed, "the tolerance of 1e-6 m, divided by the closing speed"),
         given("a", p.a, "m"), given("A", p.A), given("b", p.b, "m"), given("B", p.B),
         given("duration", duration, "s"), unit("s"), about(what));
-  GRADE(late(run(p, duration), first), 0, within(1e-11, "it may be early, but never late"),
-        given("a", p.a, "m"), given("A", p.A), given("b", p.b, "m"), given("B", p.B),
-        given("duration", duration, "s"), unit("s"), about(what));
+  GRADE(late(toiRotating(a, A, b, B, duration, tolerance, kMany), first), 0,
+        within(1e-11, "it may be early, but never late"), given("a", p.a, "m"), given("A", p.A),
+        given("b", p.b, "m"), given("B", p.B), given("duration", duration, "s"), unit("s"),
+        about(what));
 }
 
 }  // namespace
