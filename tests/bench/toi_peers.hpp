@@ -1,6 +1,6 @@
 #pragma once
-// First contacts in other libraries, for the suite `toi`. Each is a shared library that sees nothing
-// of ours but this file.
+// First contacts in other libraries, for the suite `toi`. Each is a shared library that sees
+// nothing of ours but this file.
 
 #include <array>
 

@@ -226,8 +226,8 @@ TEST_CASE("no swept pair that touches is missed, and none is met that stays apar
           }
         }
         if (balls) {
-          const TimeOfImpact closed =
-              sweptBalls({s.radii / 2, s.a[0], {}}, {s.radii / 2, s.b[0], s.velocity}, 1);
+          const TimeOfImpact closed = sweptBalls({.radius = s.radii / 2, .centre = s.a[0]},
+                                                 {s.radii / 2, s.b[0], s.velocity}, 1);
           REQUIRE((closed.status != ImpactStatus::kNoHit) == (way.sign <= 0));
         }
         if (found.status != ImpactStatus::kHit || found.time == 0 || i % 5 != 0) continue;

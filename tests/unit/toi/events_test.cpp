@@ -78,8 +78,8 @@ TEST_CASE("T13: two blocks and a wall count the digits of pi") {
   for (int n = 0; n <= 4; ++n) {
     const Real big = std::pow(100.0, n);
     const Real infinity = std::numeric_limits<Real>::infinity();
-    std::vector<Bead> beads = {{infinity, {0.5, {-0.5, 0, 0}, {}}},
-                               {1, {0.5, {1.5, 0, 0}, {}}},
+    std::vector<Bead> beads = {{infinity, {.radius = 0.5, .centre = {-0.5, 0, 0}}},
+                               {1, {.radius = 0.5, .centre = {1.5, 0, 0}}},
                                {big, {0.5, {4.5, 0, 0}, {-1, 0, 0}}}};
     const Real energy = big / 2;
     int count = 0;
@@ -104,7 +104,7 @@ TEST_CASE("T14: impacts at once, and one a moment after the other") {
   const json expected = readCase("toi", "T14");
   for (const Real delta : {0.0, std::ldexp(1.0, -40), -std::ldexp(1.0, -40)}) {
     std::vector<Bead> beads = {{1, {0.5, {0, 0, 0}, {1, 0, 0}}},
-                               {1, {0.5, {2, 0, 0}, {}}},
+                               {1, {.radius = 0.5, .centre = {2, 0, 0}}},
                                {1, {0.5, {4 * (1 + delta), 0, 0}, {-1, 0, 0}}}};
     std::vector<Real> times;
     Real now = 0;

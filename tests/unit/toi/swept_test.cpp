@@ -26,7 +26,7 @@ Vector3 anyVector(Random& random, Real size) {
 }
 
 TimeOfImpact sweptFrom(const Vector3& place, const Vector3& velocity, Real radii, Real duration) {
-  return sweptBalls({radii / 4, {}, {}}, {radii * 3 / 4, place, velocity}, duration);
+  return sweptBalls({.radius = radii / 4}, {radii * 3 / 4, place, velocity}, duration);
 }
 
 }  // namespace
@@ -191,6 +191,6 @@ TEST_CASE("searches that cannot be are refused") {
   wild.angularVelocity = {0, 1e200, 0};
   CHECK_THROWS_WITH(firstContact(Ball{1}, wild, Ball{1}, still, 1),
                     ContainsSubstring("A.angularVelocity"));
-  CHECK_THROWS_AS(sweptBalls({-1, {}, {}}, {}, 1), InvalidInput);
-  CHECK_THROWS_AS(sweptBalls({}, {1, {}, {0, kNan, 0}}, 1), InvalidInput);
+  CHECK_THROWS_AS(sweptBalls({.radius = -1}, {}, 1), InvalidInput);
+  CHECK_THROWS_AS(sweptBalls({}, {.velocity = {0, kNan, 0}}, 1), InvalidInput);
 }
