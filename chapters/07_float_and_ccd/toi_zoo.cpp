@@ -1,8 +1,8 @@
 // What moves, what turns, and when does it touch?
 //
-// Seven pairs whose first contact is known: straight lines, parabolas, bodies that turn, one that
-// grazes. The general search beside the plain bound by the fastest corner, where there are corners,
-// and beside what engines do that move all points in straight lines from pose to pose.
+// Eight pairs whose first contact is known: straight lines, parabolas, bodies that turn, one that
+// grazes. First by closed form, where there is one, then by the general search; and the steps that
+// it needs for each digit, beside those of the plain bound by the fastest corner.
 
 #include <cmath>
 #include <filesystem>
@@ -13,6 +13,8 @@
 
 #include "carom/rotation/integrate_orientation.hpp"
 #include "carom/toi/first_contact.hpp"
+#include "carom/toi/swept_ball_plane.hpp"
+#include "carom/toi/swept_balls.hpp"
 #include "carom/toi/toi_rotating.hpp"
 #include "carom_io/plot.hpp"
 #include "carom_io/recorder.hpp"
@@ -132,6 +134,11 @@ int main(int argc, char** argv) {
   table.column("pair").column("first contact [s]", carom::io::fixed(9));
   table.column("off by [s]", carom::io::scientific(0)).column("gap [m]", carom::io::scientific(0));
   table.column("steps");
+  const TimeOfImpact balls = carom::sweptBalls({.radius = 1}, {0.5, {10, 1, 2}, {-7, -0.5, -1}}, 5);
+  table.row({"two balls, closed form", balls.time, balls.time - zoo()[0].exact, balls.gap, ""});
+  const TimeOfImpact landed =
+      carom::sweptBallPlane({0.5, {0, 0, 10}, {5, 1, 3}}, kGravity, carom::HalfSpace{}, 5);
+  table.row({"a thrown ball, the same", landed.time, landed.time - zoo()[1].exact, landed.gap, ""});
   for (const Pair& p : zoo()) {
     const TimeOfImpact hit = firstContact(p.a, p.A, p.b, p.B, 5);
     table.row({p.name, hit.time, hit.time - p.exact, hit.gap, hit.steps});
