@@ -58,10 +58,11 @@ int main(int argc, char** argv) {
     rows.push_back({"order 4, equal steps", end, times.size()});
   }
   //! [adaptive]
-  for (Real tolerance : {1e-6, 1e-9, 1e-12}) {
+  for (Real digits : {1e-6, 1e-9, 1e-12}) {
     std::vector<Real> times;
-    const carom::AdaptiveRun run = carom::rkAdaptive(
-        start, 0, kYear, {.relative = tolerance, .absolute = tolerance}, Gravity{&times});
+    const carom::Tolerance allowed{.relative = digits, .absolute = digits};
+    const Gravity gravity{&times};
+    const auto run = rkAdaptive(start, 0, kYear, allowed, gravity);
     rows.push_back({"order 5, chosen steps", run.state, times.size()});
   }
   //! [adaptive]

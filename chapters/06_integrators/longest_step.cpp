@@ -45,8 +45,9 @@ Real growth(const Method& method, Real dt) {
   const Coordinates one = Coordinates::Ones(1), none = Coordinates::Zero(1);
   const State x = method.step({one, none}, 0, dt, spring);
   const State v = method.step({none, one}, 0, dt, spring);
-  const Real halfTrace = (x.position[0] + v.velocity[0]) / 2;
-  const Real determinant = x.position[0] * v.velocity[0] - v.position[0] * x.velocity[0];
+  const Real a = x.position[0], b = v.position[0];
+  const Real c = x.velocity[0], d = v.velocity[0];
+  const Real halfTrace = (a + d) / 2, determinant = a * d - b * c;
   const Real root = halfTrace * halfTrace - determinant;
   if (root < 0) return std::sqrt(determinant);  // a complex pair
   return std::abs(halfTrace) + std::sqrt(root);

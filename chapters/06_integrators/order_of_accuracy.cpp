@@ -62,7 +62,8 @@ struct Method {
 StepError errorOf(const Method& method, const Problem& problem, int steps) {
   const State start = {Coordinates::Ones(1), Coordinates::Zero(1)};
   const Real dt = kEnd / steps;
-  const State end = carom::simulate(method.step, start, 0, dt, steps, problem.acceleration);
+  const auto& force = problem.acceleration;
+  const State end = simulate(method.step, start, 0, dt, steps, force);
   return {dt, std::abs(end.position[0] - problem.exact)};
 }
 //! [error]

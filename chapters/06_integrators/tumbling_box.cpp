@@ -51,12 +51,14 @@ RotorState withoutTheTerm(const RotorState& s) {
 }
 
 RotorState explicitly(const RotorState& s) {
-  return turned(s, carom::explicitGyroscopicStep(kMoments, s.angularVelocity, kStep));
+  const Vector3& w = s.angularVelocity;
+  return turned(s, carom::explicitGyroscopicStep(kMoments, w, kStep));
 }
 
 RotorState implicitly(const RotorState& s) {
+  const Vector3& w = s.angularVelocity;
   const carom::Matrix3 inertia = kMoments.asDiagonal();
-  return turned(s, carom::gyroscopicStep(inertia, s.angularVelocity, kStep));
+  return turned(s, carom::gyroscopicStep(inertia, w, kStep));
 }
 //! [engine]
 
