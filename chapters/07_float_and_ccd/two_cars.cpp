@@ -66,7 +66,7 @@ int main(int argc, char** argv) {
   //! [gap]
   const Real start = 20, speed = 72;
   const auto gap = [&](Real t) { return start - speed * t; };
-  const carom::TimeOfImpact hit = carom::conservativeAdvancement(gap, speed, 1, 1e-12);
+  const auto hit = carom::conservativeAdvancement(gap, speed, 1, 1e-12);
   //! [gap]
   std::cout << "\nFrom 20 m: impact after " << carom::io::Cell(hit.time).text(carom::io::fixed(9))
             << " s, found in " << hit.steps << " step\n";
