@@ -19,6 +19,7 @@
 #include <cmath>
 #include <span>
 
+#include "carom/core/checks.hpp"
 #include "carom/core/real.hpp"
 #include "carom/motion/careful_sum.hpp"
 
@@ -94,10 +95,13 @@ void clockedStep(ClockedMotion<V>& motion, Real ds, std::span<const Real> weight
 /// \param ds length of the steps, positive [m^2/s]
 /// \param weights lengths of the parts in units of ds, for example kKahanLi8Weights
 /// \param field what pulls
+/// \throws InvalidInput if the end is not finite or ds not positive and finite
 /// \ingroup motion
 template <class V, class Field>
 void followToTime(ClockedMotion<V>& motion, Real end, Real ds, std::span<const Real> weights,
                   Field&& field) {
+  requireFinite(end, "end");
+  requirePositive(ds, "ds");
   const auto left = [&] { return (end - motion.time) - motion.lostTime; };
   // U without a look at the field: it is T + B.
   const auto wanted = [&] { return left() * (motion.velocity.squaredNorm() / 2 + motion.binding); };

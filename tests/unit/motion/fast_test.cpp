@@ -368,6 +368,15 @@ TEST_CASE("N5: with a clock of its own, a planet is known to 1e-9 after a thousa
   }
 }
 
+TEST_CASE("a clock that would never arrive is refused") {
+  const auto field = [](const Vector2& x) -> Pull<Vector2> { return {sun(x), 1 / x.norm()}; };
+  ClockedMotion<Vector2> planet = withClock(Vector2(1, 0), Vector2(0, 1), field);
+  const Real nan = std::nan("");
+  CHECK_THROWS_AS(followToTime(planet, 1, 0, kVerletWeights, field), InvalidInput);
+  CHECK_THROWS_AS(followToTime(planet, 1, nan, kVerletWeights, field), InvalidInput);
+  CHECK_THROWS_AS(followToTime(planet, nan, 0.1, kVerletWeights, field), InvalidInput);
+}
+
 TEST_CASE("the system's own clock gives the orders of the compositions") {
   const auto field = [](const Vector2& x) -> Pull<Vector2> { return {sun(x), 1 / x.norm()}; };
   const auto error = [&](std::span<const Real> weights, int steps) {
