@@ -16,6 +16,7 @@ void requireUsable(const Tolerance& tolerance) {
 }
 
 Real stepFactor(Real ratio, int order) {
+  if (order < 1) reject("order", std::to_string(order), "must be positive");
   constexpr Real kSafety = 0.9, kSmallest = 0.2, kLargest = 5;
   const auto power = [&order](Real x) {
     Real p = 1;

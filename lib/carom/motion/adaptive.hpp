@@ -23,6 +23,7 @@ void requireUsable(const Tolerance& tolerance);
 /// \param ratio error of this step in units of what is allowed; zero or positive, also infinite
 /// \param order power of the step with which that error goes, positive
 /// \return 0.9 / ratio^(1/order), between 1/5 and 5; the same bits on every machine
+/// \throws InvalidInput if the order is not positive
 /// \ingroup motion
 Real stepFactor(Real ratio, int order);
 

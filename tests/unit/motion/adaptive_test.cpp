@@ -388,6 +388,7 @@ TEST_CASE("the next step follows the error's power, within limits") {
   CHECK(stepFactor(1e-30, 8) == 5);
   CHECK(stepFactor(1e30, 5) == 0.2);
   CHECK(stepFactor(std::numeric_limits<Real>::infinity(), 5) == 0.2);
+  CHECK_THROWS_WITH(stepFactor(0.5, 0), ContainsSubstring("order = 0"));
 }
 
 TEST_CASE("tolerances and states that cannot be are refused") {

@@ -1,6 +1,7 @@
 // The fast ways: many steps at once, steps without allocation, and ten thousand bodies in arrays.
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <span>
 #include <vector>
