@@ -61,7 +61,7 @@ Outcome fire(TimeOfImpact (*way)(const Sweep&), Real speed) {
     Vector3 direction = random.direction();
     direction.x() = std::abs(direction.x()) + 0.2;
     direction.normalize();
-    const Vector3 target(0, random.between(-12, 12), random.between(-4.5, 4.5));
+    const Vector3 target{0, random.between(-12, 12), random.between(-4.5, 4.5)};
     const bool aimed = std::abs(target.y()) < 4.5;
     Sweep bullet;
     bullet.velocity = speed * direction;

@@ -34,7 +34,8 @@ Numbers cancelling(int count) {
   carom::Random random(7);
   Numbers terms;
   for (int i = 0; i < count; ++i) {
-    terms.push_back(std::ldexp(random.between(-1, 1), random.integer(-30, 30)));
+    const Real digits = random.between(-1, 1);
+    terms.push_back(std::ldexp(digits, random.integer(-30, 30)));
   }
   for (int i = 0; i < count; ++i) {
     if (i % 1000 != 0) terms.push_back(-terms[static_cast<std::size_t>(i)]);

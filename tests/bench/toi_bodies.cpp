@@ -57,9 +57,11 @@ Scene anyScene(Random& random, const Family& family) {
   s.b = hullOfPoints(s.cornersB);
   const Vector3 to = family.distance * random.direction();
   const auto place = [&](Sweep& sweep, Quaternion& q, const Vector3& at) {
-    q = integrateOrientation({1, 0, 0, 0}, random.direction(), random.between(-3, 3));
+    const Vector3 axis = random.direction();
+    q = integrateOrientation({1, 0, 0, 0}, axis, random.between(-3, 3));
     sweep.start = poseOf(q, at);
-    sweep.angularVelocity = family.turn * random.between(0, 1) * random.direction();
+    const Real rate = family.turn * random.between(0, 1);
+    sweep.angularVelocity = rate * random.direction();
   };
   place(s.A, s.startA, Vector3::Zero());
   place(s.B, s.startB, to);

@@ -142,7 +142,7 @@ TEST_CASE("no bullet passes a thin wall, at any speed") {
       bullet.velocity = speed * direction;
       bullet.angularVelocity = 100 * random.direction();
       // It would be through the middle of the wall somewhere in the middle of its first steps.
-      const Vector3 target(0, random.between(-1, 1), random.between(-1, 1));
+      const Vector3 target{0, random.between(-1, 1), random.between(-1, 1)};
       bullet.start.p_WB = target - random.between(0.1, 2.0) * direction;
       bool stopped = false;
       for (int step = 0; step < 10 && !stopped; ++step) {

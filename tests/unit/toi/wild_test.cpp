@@ -22,8 +22,9 @@ Real anySize(Random& random, Real decades) {
 }
 
 Vector3 anyVector(Random& random, Real decades) {
-  return random.bits() % 8 == 0 ? Vector3::Zero()
-                                : Vector3(anySize(random, decades) * random.direction());
+  if (random.bits() % 8 == 0) return Vector3::Zero();
+  const Real size = anySize(random, decades);
+  return size * random.direction();
 }
 
 Shape anyShape(Random& random, Real decades) {
@@ -54,8 +55,9 @@ Shape anyShape(Random& random, Real decades) {
 
 Sweep anySweep(Random& random, Real decades) {
   Sweep s;
-  s.start = poseOf(integrateOrientation({1, 0, 0, 0}, random.direction(), random.between(-3, 3)),
-                   anyVector(random, decades));
+  const Vector3 axis = random.direction();
+  const Quaternion q = integrateOrientation({1, 0, 0, 0}, axis, random.between(-3, 3));
+  s.start = poseOf(q, anyVector(random, decades));
   s.velocity = anyVector(random, decades);
   s.acceleration = anyVector(random, decades);
   s.angularVelocity = anyVector(random, decades);
