@@ -207,7 +207,8 @@ TEST_CASE("F6: vectors of any length are brought to length one") {
 }
 
 TEST_CASE("F7: small angles between unit vectors") {
-  for (const json& text : precisionCase("F7")["angles"]) {
+  const json expected = precisionCase("F7");
+  for (const json& text : expected["angles"]) {
     const Real angle = number(text);
     const Vector3 a(1, 0, 0), b(cosine(angle), sine(angle), 0);
     const Real got = arctangent2(length(compensatedCross(a, b)), compensatedDot(a, b));
