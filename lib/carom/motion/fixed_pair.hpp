@@ -7,14 +7,13 @@
 // coordinates. A test holds it to Trajectory, bit for bit.
 // Not handled: values between the steps.
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <tuple>
 #include <utility>
 
 #include "carom/motion/adaptive.hpp"
 #include "carom/motion/embedded_pairs.hpp"
+#include "carom/motion/step_control.hpp"
 
 namespace carom {
 
@@ -71,23 +70,6 @@ template <const auto& method, int row, class V, std::size_t count, std::size_t..
   return sum;
 }
 
-/// The mean square of an error in units of what is allowed.
-/// \tparam V a vector of fixed size
-/// \param error of each number \param before the numbers before the step \param after and after it
-/// \param tolerance what is allowed
-/// \return the mean of (error / allowed)^2 [1]
-/// \ingroup motion
-template <class V>
-Real meanSquare(const V& error, const V& before, const V& after, const Tolerance& tolerance) {
-  Real sum = 0;
-  for (Eigen::Index i = 0; i < error.size(); ++i) {
-    const Real size = std::max(std::abs(before[i]), std::abs(after[i]));
-    const Real share = error[i] / (tolerance.absolute + tolerance.relative * size);
-    sum += share * share;
-  }
-  return sum / Real(error.size());
-}
-
 }  // namespace fixed_pair
 
 /// Follows y' = f(t, y) from one time to another with chosen steps.
@@ -112,52 +94,34 @@ FixedRun<n> fixedPair(const Eigen::Matrix<Real, n, 1>& y, Real time, Real end,
   FixedRun<n> run;
   run.y = y;
   run.time = time;
-  Real dt = (end - time) / 100;  // a guess: the first steps put it right
+  detail::StepControl control(time, end, tolerance.maxSteps, method.order);
 
   V next = y;
   const auto look = [&]<std::size_t i>() __attribute__((always_inline)) {
     if constexpr (i > 0) {
       constexpr int row = static_cast<int>(i);
-      next = run.y + dt * fixed_pair::weighted<method, row>(slopes, std::make_index_sequence<i>());
+      next = run.y + control.dt() *
+                         fixed_pair::weighted<method, row>(slopes, std::make_index_sequence<i>());
     }
-    slopes[i] = flow(run.time + method.nodes[i] * dt, next);
+    slopes[i] = flow(run.time + method.nodes[i] * control.dt(), next);
   };
   look.template operator()<0>();
-  while (run.time != end) {
-    if (run.accepted + run.rejected == tolerance.maxSteps) {
-      run.status = AdaptiveStatus::kTooManySteps;
-      break;
-    }
-    // The last step ends on the dot, and the one before it leaves no crumb.
-    const bool last = std::abs(end - run.time) <= 1.01 * std::abs(dt);
-    if (last) dt = end - run.time;
-    if (!last && run.time + dt / 10 == run.time) {
-      run.status = AdaptiveStatus::kStepTooSmall;
-      break;
-    }
+  while (control.goesOn(run)) {
     [&]<std::size_t... i>(std::index_sequence<i...>) {
       (look.template operator()<i + 1>(), ...);
     }
     (std::make_index_sequence<kStages - 1>());
 
-    // Of two estimates the lower one only keeps the higher one from vanishing by chance.
     const auto all = std::make_index_sequence<kStages>();
+    const Real dt = control.dt();
     const V off = dt * fixed_pair::weighted<method, fixed_pair::kError>(slopes, all);
     const V lowOff = dt * fixed_pair::weighted<method, fixed_pair::kLowError>(slopes, all);
-    const Real high = fixed_pair::meanSquare(off, run.y, next, tolerance);
-    const Real low = fixed_pair::meanSquare(lowOff, run.y, next, tolerance);
-    const Real scale = high + 0.01 * low;
-    const Real ratio = low == 0 ? std::sqrt(high) : scale == 0 ? 0 : high / std::sqrt(scale);
-    if (!(ratio <= 1)) {
-      ++run.rejected;
-      dt *= std::isnan(ratio) ? 0.2 : stepFactor(ratio, method.order);
-      continue;
-    }
-    run.time = last ? end : run.time + dt;
-    ++run.accepted;
+    const Real ratio = detail::ratioOf(detail::meanSquare(off, run.y, next, tolerance),
+                                       detail::meanSquare(lowOff, run.y, next, tolerance));
+    if (control.rejects(run, ratio)) continue;
+    control.advance(run, ratio);
     run.y = next;
     slopes[0] = slopes[kStages - 1];
-    dt *= stepFactor(ratio, method.order);
   }
   return run;
 }

@@ -8,6 +8,7 @@
 
 #include "carom/core/checks.hpp"
 #include "carom/motion/embedded_pairs.hpp"
+#include "carom/motion/step_control.hpp"
 
 namespace carom {
 namespace {
@@ -33,18 +34,6 @@ Coordinates weighted(const Row& weights, std::span<const Coordinates> slopes) {
   return sum;
 }
 
-// The mean square of an error in units of what is allowed.
-Real meanSquare(const Coordinates& error, const Coordinates& before, const Coordinates& after,
-                const Tolerance& tolerance) {
-  Real sum = 0;
-  for (Eigen::Index i = 0; i < error.size(); ++i) {
-    const Real size = std::max(std::abs(before[i]), std::abs(after[i]));
-    const Real share = error[i] / (tolerance.absolute + tolerance.relative * size);
-    sum += share * share;
-  }
-  return error.size() == 0 ? 0 : sum / Real(error.size());
-}
-
 }  // namespace
 
 Trajectory::Trajectory(const State& state, Real time, Real end, const Acceleration& acceleration,
@@ -68,49 +57,34 @@ void Trajectory::follow(const Method& method, Real end, const Acceleration& acce
   constexpr std::size_t kAll = std::tuple_size_v<decltype(method.nodes)>;
   std::array<Coordinates, kAll> slopes;
   Coordinates y = joined(run_.state);
-  Real dt = (end - run_.time) / 100;  // a guess: the first steps put it right
+  detail::StepControl control(run_.time, end, tolerance.maxSteps, method.order);
 
   const auto look = [&](std::size_t i, const Coordinates& at) {
     const State s = parted(at);
-    const Real time = run_.time + method.nodes[i] * dt;
+    const Real time = run_.time + method.nodes[i] * control.dt();
     slopes[i] = joined({s.velocity, accelerationAt(acceleration, time, s.position, s.velocity)});
     ++evaluations_;
   };
   const auto lookAlong = [&](std::size_t i) -> Coordinates {
     const Coordinates at =
-        y + dt * weighted(method.stages[i], std::span<const Coordinates>(slopes).first(i));
+        y +
+        control.dt() * weighted(method.stages[i], std::span<const Coordinates>(slopes).first(i));
     look(i, at);
     return at;
   };
 
   look(0, y);
-  while (run_.time != end) {
-    if (run_.accepted + run_.rejected == tolerance.maxSteps) {
-      run_.status = AdaptiveStatus::kTooManySteps;
-      break;
-    }
-    // The last step ends on the dot, and the one before it leaves no crumb.
-    const bool last = std::abs(end - run_.time) <= 1.01 * std::abs(dt);
-    if (last) dt = end - run_.time;
-    if (!last && run_.time + dt / 10 == run_.time) {
-      run_.status = AdaptiveStatus::kStepTooSmall;
-      break;
-    }
-
+  while (control.goesOn(run_)) {
     Coordinates next = y;
     for (std::size_t i = 1; i < kStep; ++i) next = lookAlong(i);
 
-    // Of two estimates the lower one only keeps the higher one from vanishing by chance.
     const auto used = std::span<const Coordinates>(slopes).first(kStep);
-    const Real high = meanSquare(dt * weighted(method.error, used), y, next, tolerance);
-    const Real low = meanSquare(dt * weighted(method.lowError, used), y, next, tolerance);
-    const Real scale = high + 0.01 * low;
-    const Real ratio = low == 0 ? std::sqrt(high) : scale == 0 ? 0 : high / std::sqrt(scale);
-    if (!(ratio <= 1)) {
-      ++run_.rejected;
-      dt *= std::isnan(ratio) ? 0.2 : stepFactor(ratio, method.order);
-      continue;
-    }
+    const Real dt = control.dt();
+    const Coordinates off = dt * weighted(method.error, used);
+    const Coordinates lowOff = dt * weighted(method.lowError, used);
+    const Real ratio = detail::ratioOf(detail::meanSquare(off, y, next, tolerance),
+                                       detail::meanSquare(lowOff, y, next, tolerance));
+    if (control.rejects(run_, ratio)) continue;
 
     for (std::size_t i = kStep; i < kAll; ++i) lookAlong(i);
     Piece piece = {run_.time, dt, {}};
@@ -120,11 +94,9 @@ void Trajectory::follow(const Method& method, Real end, const Acceleration& acce
     for (const auto& row : method.dense) piece.terms.push_back(dt * weighted(row, slopes));
     pieces_.push_back(piece);
 
-    run_.time = last ? end : run_.time + dt;
-    ++run_.accepted;
+    control.advance(run_, ratio);
     y = next;
     slopes[0] = slopes[kStep - 1];
-    dt *= stepFactor(ratio, method.order);
   }
   run_.state = parted(y);
 }
