@@ -5,7 +5,6 @@
 #include <limits>
 #include <optional>
 #include <string>
-#include <type_traits>
 #include <vector>
 
 #include "carom/core/checks.hpp"
@@ -23,11 +22,6 @@ using detail::movingCores;
 using detail::PlacedCore;
 
 constexpr Real kUlp = std::numeric_limits<Real>::epsilon();
-
-// The motion of the centre, less the turning about it.
-Vector3 travelled(const Sweep& sweep, Real time) {
-  return time * sweep.velocity + time * time / 2 * sweep.acceleration;
-}
 
 // When excess + slope t + bend t^2 / 2 comes down to zero, for a bend of zero or less; never:
 // infinity.
@@ -177,16 +171,18 @@ class Pair {
   }
 
   TimeOfImpact search(Real duration, const ContactSearch& wanted) {
+    const Vector3 acceleration = b_.sweep.acceleration - a_.sweep.acceleration;
     TimeOfImpact result;
     Real now = 0;
     Vector3 lastNormal = Vector3::Zero();
     Real lastAdvance = 0;
     while (true) {
-      const Matrix3 turnA = poseAt(a_.sweep, now).R_WB, turnB = poseAt(b_.sweep, now).R_WB;
-      const PlacedCore coreA(a_.core, turnA), coreB(b_.core, turnB);
+      const PlacedCore coreA(a_.core, poseAt(a_.sweep, now).R_WB);
+      const PlacedCore coreB(b_.core, poseAt(b_.sweep, now).R_WB);
       const Vector3 centres = between_ + (travelled(b_.sweep, now) - travelled(a_.sweep, now));
-      const Vector3 origins = centres + (turnA * a_.sweep.centre - turnB * b_.sweep.centre);
-      const Separation found = separation(coreA, turnA, coreB, turnB, origins);
+      const Vector3 origins =
+          centres + (coreA.R_WB * a_.sweep.centre - coreB.R_WB * b_.sweep.centre);
+      const Separation found = separation(coreA, coreB, origins);
       const Real rounding = kUlp * (4 * centres.cwiseAbs().maxCoeff() + 8 * (a_.reach + b_.reach));
       const Real tolerance = std::max(wanted.tolerance, 3 * rounding);
 
@@ -210,15 +206,8 @@ class Pair {
       if (found.separation <= tolerance) return endWith(ImpactStatus::kHit);
       if (result.steps == wanted.maxSteps) return endWith(ImpactStatus::kLimit);
 
-      const Moment moment = {a_,
-                             b_,
-                             coreA,
-                             coreB,
-                             centres,
-                             (b_.sweep.velocity - a_.sweep.velocity) +
-                                 now * (b_.sweep.acceleration - a_.sweep.acceleration),
-                             b_.sweep.acceleration - a_.sweep.acceleration,
-                             found.normal};
+      const Vector3 velocity = (b_.sweep.velocity - a_.sweep.velocity) + now * acceleration;
+      const Moment moment = {a_, b_, coreA, coreB, centres, velocity, acceleration, found.normal};
       const Real remaining = duration - now;
       const Real advance = longestAdvance(moment, plane_.has_value(), spin, found.separation,
                                           tolerance / 3, remaining);
@@ -235,13 +224,11 @@ class Pair {
   }
 
  private:
-  Separation separation(const PlacedCore& coreA, const Matrix3& turnA, const PlacedCore& coreB,
-                        const Matrix3& turnB, const Vector3& origins) {
+  Separation separation(const PlacedCore& coreA, const PlacedCore& coreB, const Vector3& origins) {
     if (!plane_) {
-      return detail::gjkOfCores(a_.core, {turnA, Vector3::Zero()}, b_.core, {turnB, origins},
-                                &cache_);
+      return detail::gjkOfCores(a_.core, {coreA.R_WB, Vector3::Zero()}, b_.core,
+                                {coreB.R_WB, origins}, &cache_);
     }
-    (void)coreA;
     Separation result;
     result.normal = *plane_;
     const Vector3 lowest = origins + coreB.support(-*plane_, 0).point - b_.core.radius * *plane_;

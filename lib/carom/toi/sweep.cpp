@@ -10,10 +10,10 @@ namespace carom {
 
 Pose poseAt(const Sweep& sweep, Real time) {
   Pose pose = sweep.start;
-  const Vector3 travelled = time * sweep.velocity + time * time / 2 * sweep.acceleration;
+  const Vector3 way = travelled(sweep, time);
   const Real rate = sweep.angularVelocity.norm();
   if (rate == 0 || time == 0) {
-    pose.p_WB += travelled;
+    pose.p_WB += way;
     return pose;
   }
   // Rodrigues: turn every column of the rotation about the axis. The origin goes round the centre.
@@ -26,13 +26,12 @@ Pose poseAt(const Sweep& sweep, Real time) {
   };
   for (int k = 0; k < 3; ++k) pose.R_WB.col(k) = turned(sweep.start.R_WB.col(k));
   const Vector3 arm = sweep.start.R_WB * sweep.centre;
-  pose.p_WB += travelled + (arm - pose.R_WB * sweep.centre);
+  pose.p_WB += way + (arm - pose.R_WB * sweep.centre);
   return pose;
 }
 
 Vector3 velocityAt(const Sweep& sweep, Real time, const Vector3& point) {
-  const Vector3 centre = sweep.start.p_WB + sweep.start.R_WB * sweep.centre +
-                         time * sweep.velocity + time * time / 2 * sweep.acceleration;
+  const Vector3 centre = pointToWorld(sweep.start, sweep.centre) + travelled(sweep, time);
   return sweep.velocity + time * sweep.acceleration +
          cross(sweep.angularVelocity, Vector3(point - centre));
 }

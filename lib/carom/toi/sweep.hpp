@@ -26,6 +26,14 @@ struct Sweep {
   Vector3 centre = Vector3::Zero();           ///< the point that it turns about [m, body]
 };
 
+/// How far the centre has come after a while.
+/// \param sweep its motion \param time from the start [s]
+/// \return way from where it was at time zero [m, world]
+/// \ingroup toi
+inline Vector3 travelled(const Sweep& sweep, Real time) {
+  return time * sweep.velocity + time * time / 2 * sweep.acceleration;
+}
+
 /// Where a body is after a while.
 /// \param sweep its motion \param time from the start [s]
 /// \return its pose; at time zero the very one it started with
