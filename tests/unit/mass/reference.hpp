@@ -3,31 +3,18 @@
 // distances.
 
 #include <algorithm>
-#include <cstdlib>
-#include <fstream>
-#include <nlohmann/json.hpp>
 #include <string>
 
 #include "carom/core/real.hpp"
 #include "carom/mass/mass_properties.hpp"
 #include "carom/mass/triangle_mesh.hpp"
+#include "support/cases.hpp"
 
 namespace carom_test {
 
-using nlohmann::json;
-
-// One case of group M. Numbers are strings, so that no digit is lost on the way.
+// One case of group M.
 inline json massCase(const std::string& id) {
-  std::ifstream file(std::string(CAROM_CASES_DIR) + "/mass.json");
-  return json::parse(file).at(id);
-}
-
-inline double number(const json& value) {
-  return std::strtod(value.get<std::string>().c_str(), nullptr);
-}
-
-inline carom::Vector3 vector(const json& value) {
-  return {number(value.at(0)), number(value.at(1)), number(value.at(2))};
+  return readCase("mass", id);
 }
 
 inline carom::Matrix3 matrix(const json& value) {

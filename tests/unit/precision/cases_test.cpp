@@ -3,9 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <fstream>
 #include <limits>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -26,20 +24,18 @@
 #include "carom/precision/time_of_step.hpp"
 #include "carom/precision/ulp.hpp"
 #include "carom/precision/ulp_distance.hpp"
+#include "support/cases.hpp"
 #include "support/catch.hpp"
 
 using namespace carom;
-using nlohmann::json;
+using carom_test::json;
+using carom_test::number;
+using carom_test::readCase;
 
 namespace {
 
 json precisionCase(const std::string& name) {
-  std::ifstream file(CAROM_CASES_DIR "/precision.json");
-  return json::parse(file).at(name);
-}
-
-Real number(const json& text) {
-  return std::stod(text.get<std::string>());
+  return readCase("precision", name);
 }
 
 template <class Number>

@@ -21,10 +21,6 @@ namespace {
 
 constexpr Real kNan = std::numeric_limits<Real>::quiet_NaN();
 
-Vector3 anyVector(Random& random, Real size) {
-  return {random.between(-size, size), random.between(-size, size), random.between(-size, size)};
-}
-
 TimeOfImpact sweptFrom(const Vector3& place, const Vector3& velocity, Real radii, Real duration) {
   return sweptBalls({.radius = radii / 4}, {radii * 3 / 4, place, velocity}, duration);
 }
@@ -104,14 +100,14 @@ TEST_CASE("balls in closed form and by the general way agree") {
   Random random(31);
   int hits = 0;
   for (int i = 0; i < 2000; ++i) {
-    const MovingBall a = {random.between(0.1, 1), anyVector(random, 3), anyVector(random, 4)};
-    const MovingBall b = {random.between(0.1, 1), anyVector(random, 3), anyVector(random, 4)};
+    const MovingBall a = {random.between(0.1, 1), random.vector(3), random.vector(4)};
+    const MovingBall b = {random.between(0.1, 1), random.vector(3), random.vector(4)};
     Sweep A, B;
     A.start.p_WB = a.centre;
     A.velocity = a.velocity;
     B.start.p_WB = b.centre;
     B.velocity = b.velocity;
-    B.angularVelocity = anyVector(random, 9);  // a ball does not mind
+    B.angularVelocity = random.vector(9);  // a ball does not mind
     const TimeOfImpact closed = sweptBalls(a, b, 1);
     const TimeOfImpact searched = firstContact(Ball{a.radius}, A, Ball{b.radius}, B, 1);
     REQUIRE(closed.status == searched.status);

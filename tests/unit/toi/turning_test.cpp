@@ -30,10 +30,6 @@ int pairsOfEachFamily() {
   return text ? std::atoi(text) : 50;
 }
 
-Vector3 anyVector(Random& random, Real size) {
-  return {random.between(-size, size), random.between(-size, size), random.between(-size, size)};
-}
-
 // Corners on an ellipsoid with these half axes: a hull keeps them all, or nearly.
 std::vector<Vector3> anyCorners(Random& random, int count, const Vector3& halfAxes) {
   std::vector<Vector3> corners;
@@ -48,7 +44,7 @@ Sweep anySweep(Random& random, const Vector3& from, Real speed, Real turn) {
   s.start = poseOf(q, from);
   s.velocity = speed * random.direction();
   s.angularVelocity = turn * random.direction();
-  s.acceleration = anyVector(random, 3);
+  s.acceleration = random.vector(3);
   return s;
 }
 
