@@ -257,8 +257,22 @@ Finished run(const Command& command) {
       dup2(output[1], 1);
       dup2(output[1], 2);
     }
+    // Out of the way first: one of them may stand where another has to go.
+    int next = 3;
+    int moved[8];
+    for (std::size_t i = 0; i < command.files.size() && i < std::size(moved); ++i)
+      moved[i] = fcntl(command.files[i], F_DUPFD_CLOEXEC, 3 + static_cast<int>(std::size(moved)));
+    for (std::size_t i = 0; i < command.files.size() && i < std::size(moved); ++i)
+      dup2(moved[i], next++);
     applyLimits(command.limits);
-    execvpe(words[0], words.data(), environment.data());
+    if (command.shutIn) {
+      // Opened before the rights go: root without them cannot enter the folders of other users.
+      const int file = open(words[0], O_RDONLY | O_CLOEXEC);
+      enterSandbox();
+      syscall(SYS_execveat, file, "", words.data(), environment.data(), AT_EMPTY_PATH);
+    } else {
+      execvpe(words[0], words.data(), environment.data());
+    }
     const char* text = "cannot be run: ";
     if (write(2, text, std::strlen(text)) > 0) {
       const char* reason = std::strerror(errno);

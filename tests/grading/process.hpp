@@ -27,8 +27,43 @@ void applyLimits(const Limits& limits);
 /// one. Needs no rights. For the child between fork and exec. \return false where the system has no such lock
 bool enterSandbox();
 
+/// The rules of enterSandbox() for a program in a process namespace of its own, as bubblewrap takes them: bytes of a
+/// BPF program; none where the system has no such lock. They also allow execve, with which bubblewrap starts it.
+std::string systemCallFilter();
+
+/// Something that a process sees in its own namespace of files.
+struct Place {
+  enum Kind { readable, writable, hidden, link };
+  Kind kind = readable;
+  std::string from;     ///< outside; for a link what it points to
+  std::string to;       ///< inside
+  bool folder = false;  ///< else a file
+};
+
+/// What a process does between fork and exec to shut itself in. Made by confined() in sandbox.hpp.
+struct Enclosure {
+  bool any = false;            ///< false: none of this
+  bool nobody = false;         ///< root becomes uid 65534
+  bool namespaces = false;     ///< namespaces are made here; else by a program, or there are none
+  bool userNamespace = false;  ///< the rights for that come from a namespace of users
+  std::string base;            ///< an existing folder, over which the new root is mounted before it is one
+  std::string directory;       ///< where to run, inside
+  std::vector<Place> places;
+};
+
+/// Enters an enclosure: for the child between fork and exec, allocates nothing. Where processes get a namespace of
+/// their own it returns in a new process, and the one that called it waits for that, and ends as it ends.
+/// \return false when the system refuses
+bool enter(const Enclosure& enclosure);
+
+/// Closes every file descriptor from this one on.
+void closeFrom(int first);
+
 /// Says how a process ended: "crashed (segmentation fault)", "ended with exit code 3".
 std::string describeEnd(int waitStatus);
+
+/// How the enclosed program ended, of the status of the process that guarded it: a shell's 128 + n is signal n.
+int endInside(int waitStatus);
 
 /// Kills the process group and everything in it.
 void killGroup(pid_t leader);
@@ -50,8 +85,13 @@ struct Command {
   std::vector<std::string> environment;  ///< NAME=value, added to the parent's
   std::string directory;                 ///< where to run; empty: here
   Limits limits;
+  Enclosure enclosure;         ///< see sandbox.hpp
   bool inheritOutput = false;  ///< print to our own streams instead of collecting
   bool inheritInput = false;
+  /// Open files of ours that become 3, 4, ... in the child, in this order.
+  std::vector<int> files;
+  /// enterSandbox() before the program starts, which must then be named by its whole path.
+  bool shutIn = false;
 };
 
 /// Runs a command and waits for its end or its limits. Never throws for what the command does.
