@@ -1,0 +1,170 @@
+// The program that holds a student's own test cases (exercises of the kind `test`).
+//
+// The function that the cases call is not in this program: calls go out on file descriptor 4 and answers come back
+// on 3, from a process that holds one version of it. So the very same program meets every version, right and wrong,
+// and nothing in its memory, arguments or environment says which one it is talking to: it can only ask. What became
+// of each case goes out on 5.
+
+#include <poll.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+
+#if CAROM_CATCH_MAJOR < 3
+#define CATCH_CONFIG_EXTERNAL_INTERFACES
+#endif
+#include "carom/core/errors.hpp"
+#include "grading/seam.hpp"
+#include "support/catch.hpp"
+#include "support/catch_main.hpp"
+#if CAROM_CATCH_MAJOR >= 3
+#include <catch2/reporters/catch_reporter_event_listener.hpp>
+#include <catch2/reporters/catch_reporter_registrars.hpp>
+#endif
+
+namespace carom::grading {
+
+namespace {
+
+using nlohmann::json;
+
+// More failures than a reader wants to see; a loop of assertions must not fill the disk.
+constexpr int kReportedFailures = 20;
+
+long calls = 0;
+bool notAttempted = false;
+
+void report(const json& event) {
+  const std::string text = event.dump(-1, ' ', false, json::error_handler_t::replace) + "\n";
+  if (write(5, text.data(), text.size()) < 0) return;  // nobody reads: nothing is lost
+}
+
+// The client's end: asks, and waits no longer than a function may take.
+class Function : public Channel {
+ public:
+  Function() {
+    const char* seconds = std::getenv("CAROM_WALL_S");
+    wallSeconds_ = seconds ? std::atoi(seconds) : 3;
+  }
+  void send(const std::string& bytes) override {
+    ++calls;
+    const auto size = static_cast<std::uint32_t>(bytes.size());
+    std::string all(reinterpret_cast<const char*>(&size), sizeof size);
+    all += bytes;
+    for (std::size_t done = 0; done < all.size();) {
+      const ssize_t put = write(4, all.data() + done, all.size() - done);
+      if (put <= 0) throw SubmissionStopped("the function has stopped");
+      done += static_cast<std::size_t>(put);
+    }
+  }
+  std::string receive() override {
+    deadline_ = Clock::now() + std::chrono::seconds(wallSeconds_);
+    std::uint32_t size = 0;
+    readAll(reinterpret_cast<char*>(&size), sizeof size);
+    std::string bytes(size, '\0');
+    readAll(bytes.data(), size);
+    return bytes;
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  void readAll(char* data, std::size_t size) {
+    while (size > 0) {
+      const auto left =
+          std::chrono::duration_cast<std::chrono::milliseconds>(deadline_ - Clock::now()).count();
+      pollfd watched{3, POLLIN, 0};
+      if (left <= 0) throw SubmissionStopped("the function did not answer in time");
+      if (poll(&watched, 1, static_cast<int>(left)) <= 0) continue;
+      const ssize_t got = read(3, data, size);
+      if (got < 0 && errno == EINTR) continue;
+      if (got <= 0) throw SubmissionStopped("the function crashed instead of answering");
+      data += got;
+      size -= static_cast<std::size_t>(got);
+    }
+  }
+
+  int wallSeconds_ = 3;
+  Clock::time_point deadline_{};
+};
+
+#if CAROM_CATCH_MAJOR >= 3
+using ListenerBase = Catch::EventListenerBase;
+using Noted = void;
+#else
+using ListenerBase = Catch::TestEventListenerBase;
+using Noted = bool;
+#endif
+
+class Listener : public ListenerBase {
+ public:
+  using ListenerBase::ListenerBase;
+
+  void testCaseStarting(const Catch::TestCaseInfo& info) override {
+    ListenerBase::testCaseStarting(info);
+    name_ = std::string(info.name).substr(0, 200);
+    callsBefore_ = calls;
+  }
+
+  Noted assertionEnded(const Catch::AssertionStats& stats) override {
+    const auto& result = stats.assertionResult;
+    if (!result.isOk() && ++failures_ <= kReportedFailures) {
+      const auto place = result.getSourceInfo();
+      report({{"event", "failed"},
+              {"case", name_},
+              {"asserted", cut(std::string(result.getExpressionInMacro()))},
+              {"was", cut(std::string(result.getExpandedExpression()))},
+              {"message", cut(std::string(result.getMessage()))},
+              {"file", place.file},
+              {"line", place.line}});
+    }
+    return Noted();
+  }
+
+  void testCaseEnded(const Catch::TestCaseStats& stats) override {
+    report({{"event", "case"},
+            {"name", name_},
+            {"assertions", stats.totals.assertions.total()},
+            {"failed", stats.totals.assertions.failed},
+            {"calls", calls - callsBefore_}});
+    ListenerBase::testCaseEnded(stats);
+  }
+
+ private:
+  static std::string cut(const std::string& text) {
+    return text.substr(0, 1000);
+  }
+
+  std::string name_;
+  long callsBefore_ = 0;
+  int failures_ = 0;
+};
+
+const bool hooked = [] {
+  // A function that has crashed is told in words; the write that finds out must not end the program.
+  std::signal(SIGPIPE, SIG_IGN);
+  carom_test::afterTests = [](int exitCode) {
+    report({{"event", "end"}, {"exit", exitCode}, {"not attempted", notAttempted}});
+  };
+  return true;
+}();
+
+}  // namespace
+
+Channel& submission() {
+  static Function function;
+  return function;
+}
+
+}  // namespace carom::grading
+
+CATCH_REGISTER_LISTENER(carom::grading::Listener)
+
+CATCH_TRANSLATE_EXCEPTION(const carom::NotAttempted& e) {
+  carom::grading::notAttempted = true;
+  return e.what();
+}
