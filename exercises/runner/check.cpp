@@ -1,7 +1,9 @@
 #include "runner/check.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <random>
+#include <set>
 
 namespace carom::runner {
 
@@ -113,7 +115,6 @@ Runnable prepare(const Project& project, const Exercise& exercise, const CheckOp
   }
   if (!options.lazy.empty()) {
     runnable.program = trusted;
-    runnable.environment.push_back("CAROM_CHILD=" + entry.at("lazy").get<std::string>());
     runnable.environment.push_back("CAROM_LAZY=" + options.lazy);
     return runnable;
   }
@@ -363,27 +364,40 @@ ExerciseResult checkExercise(const Project& project, const Exercise& exercise,
   result.seconds = result.compiled.seconds;
   if (result.status != Status::notRun) return result;
 
-  bool all = true;
-  Status worst = Status::passed;
-  for (std::size_t i = 0; i < exercise.checks.size(); ++i) {
-    auto& check = result.checks[i];
-    check = runCheck(exercise.checks[i], runnable, folder.path(), linked);
+  std::vector<std::size_t> order;
+  for (const auto& name : options.checks) {
+    const auto at = std::find_if(exercise.checks.begin(), exercise.checks.end(),
+                                 [&](const Check& c) { return c.name == name; });
+    if (at == exercise.checks.end()) throw Failure{usage, exercise.id + " has no check " + name};
+    order.push_back(static_cast<std::size_t>(at - exercise.checks.begin()));
+  }
+  if (options.checks.empty()) {
+    for (std::size_t i = 0; i < exercise.checks.size(); ++i) order.push_back(i);
+  }
+  int patience = options.patience;
+  for (auto i = order.begin(); i != order.end(); ++i) {
+    auto& check = result.checks[*i];
+    check = runCheck(exercise.checks[*i], runnable, folder.path(), linked);
     result.seconds += check.seconds;
-    all &= check.status == Status::passed;
-    if (check.status == Status::ourFault) worst = Status::ourFault;
-    if (check.status != Status::passed && worst == Status::passed) worst = check.status;
     // Who waited for the limit once need not wait for it again.
-    if (check.timedOut) {
-      for (std::size_t j = i + 1; j < result.checks.size(); ++j)
-        result.checks[j].reason = "Not run, because '" + check.title + "' did not end.";
+    if (check.timedOut && --patience <= 0) {
+      for (auto j = i + 1; j != order.end(); ++j)
+        result.checks[*j].reason = "Not run, because '" + check.title + "' did not end.";
       break;
     }
     // What is not written yet need not be asked again.
-    if (check.status == Status::notStarted) {
-      for (std::size_t j = i + 1; j < result.checks.size(); ++j)
-        result.checks[j].status = Status::notStarted;
+    if (check.status == Status::notStarted && !options.askAll) {
+      for (auto j = i + 1; j != order.end(); ++j) result.checks[*j].status = Status::notStarted;
       break;
     }
+  }
+  bool all = true;
+  Status worst = Status::passed;
+  for (const std::size_t i : std::set<std::size_t>(order.begin(), order.end())) {
+    const auto& check = result.checks[i];
+    all &= check.status == Status::passed;
+    if (check.status == Status::ourFault) worst = Status::ourFault;
+    if (check.status != Status::passed && worst == Status::passed) worst = check.status;
   }
   result.status = all ? Status::passed : worst;
   // Not written at all, or written in part: the first says so for the whole exercise.

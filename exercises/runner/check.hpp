@@ -83,13 +83,16 @@ class Workbench {
 struct CheckOptions {
   fs::path source;              ///< the submission; empty: the student's file
   bool throughPipe = false;     ///< grading: the tests are one process, the submission another
-  std::string lazy;             ///< zero, one, echo: ask the lazy child instead of a submission
+  std::string lazy;             ///< zero, one, echo: a lazy answer instead of a submission's
   bool libraryVersion = false;  ///< ask the library's own function
   bool fingerprint = true;      ///< look for the misconception
   bool screen = true;
-  std::uint64_t seed = 0;  ///< 0: the fixed seed of self-checks
-  int answerSeconds = 0;   ///< processor time for a check; 0: the usual
-  int compileSeconds = 0;  ///< processor time for the compiler; 0: the usual
+  std::uint64_t seed = 0;           ///< 0: the fixed seed of self-checks
+  int answerSeconds = 0;            ///< processor time for a check; 0: the usual
+  int compileSeconds = 0;           ///< processor time for the compiler; 0: the usual
+  std::vector<std::string> checks;  ///< only these, asked in this order; empty: all in theirs
+  int patience = 1;                 ///< checks that may run out of time before the rest is not run
+  bool askAll = false;  ///< go on after a check that says not started: for grades in any order
   Workbench* bench =
       nullptr;  ///< where compiled files are kept; none: they go when the check is over
 };

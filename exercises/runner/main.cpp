@@ -380,8 +380,6 @@ int devCheck(const Project& project, const Options& o) {
     for (const auto* e : which) {
       const auto& entry = project.entry(*e);
       targets.push_back(entry.at("target").get<std::string>());
-      if (entry.contains("lazy"))
-        targets.push_back(fs::path(entry.at("lazy").get<std::string>()).filename().string());
     }
   }
   for (const auto* e : which) {

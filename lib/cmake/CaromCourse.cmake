@@ -75,7 +75,7 @@ endfunction()
 #
 #   <x>_test    the Catch2 tests, compiled once
 #   grader_<x>  the trusted program: the tests, linked with a proxy that asks through the pipe
-#   lazy_<x>    a child that answers with zero, one or an echo
+#   <x>_child   what a submission is linked with to answer the pipe
 #   stage_<x>   the library that an answer may use: the layers below, and its own layer without the answer
 function(carom_exercise folder)
   set(ini ${folder}/exercise.ini)
@@ -139,7 +139,6 @@ function(carom_exercise folder)
   else()
     carom_exercise_object(${x}_proxy ${seam_source} carom_seam_pch CAROM_SEAM_PROXY)
     carom_exercise_object(${x}_child ${seam_source} carom_seam_pch CAROM_SEAM_CHILD)
-    carom_exercise_object(${x}_lazy ${seam_source} carom_seam_pch CAROM_SEAM_LAZY)
 
     # The stage: what the answer may stand on.
     set(stage_objects $<TARGET_OBJECTS:carom_variant_library>)
@@ -155,18 +154,14 @@ function(carom_exercise folder)
     add_executable(grader_${x} EXCLUDE_FROM_ALL $<TARGET_OBJECTS:${x}_test> $<TARGET_OBJECTS:${x}_proxy>
                    $<TARGET_OBJECTS:carom_grading> $<TARGET_OBJECTS:carom_catch_main>)
     target_link_libraries(grader_${x} PRIVATE carom_own_flags carom_catch stage_${x})
-    add_executable(lazy_${x} EXCLUDE_FROM_ALL $<TARGET_OBJECTS:${x}_lazy> $<TARGET_OBJECTS:${x}_child>
-                   $<TARGET_OBJECTS:carom_serve>)
-    target_link_libraries(lazy_${x} PRIVATE carom_own_flags stage_${x})
-    add_dependencies(graders grader_${x} lazy_${x})
+    add_dependencies(graders grader_${x})
 
-    add_dependencies(grader_${x} carom_seam_${group}_${name} stage_${x} carom_course_pch)
+    add_dependencies(grader_${x} ${x}_child carom_serve carom_seam_${group}_${name} stage_${x} carom_course_pch)
     set(entry_extra ",
       \"test_objects\": [\"$<JOIN:$<TARGET_OBJECTS:${x}_test>,\",\">\"],
       \"child_objects\": [\"$<JOIN:$<TARGET_OBJECTS:${x}_child>,\",\">\"],
       \"library_object\": \"$<TARGET_OBJECTS:carom_seam_${group}_${name}>\",
-      \"stage\": \"$<TARGET_FILE:stage_${x}>\",
-      \"lazy\": \"$<TARGET_FILE:lazy_${x}>\"")
+      \"stage\": \"$<TARGET_FILE:stage_${x}>\"")
     # The student's file in compile_commands.json, so that editors understand it. Never part of the default build.
     if(EXISTS ${PROJECT_SOURCE_DIR}/exercises/${chapter}/${name}.cpp)
       add_library(exercise_${x} OBJECT EXCLUDE_FROM_ALL ${PROJECT_SOURCE_DIR}/exercises/${chapter}/${name}.cpp)

@@ -3,10 +3,10 @@
 //
 //   CAROM_SEAM(Quaternion, hamiltonProduct, (const Quaternion& q, const Quaternion& r), (q, r))
 //
-// The file that holds this line is compiled three times:
-//   CAROM_SEAM_PROXY  defines the function as a call through the pipe, for the trusted grader;
-//   CAROM_SEAM_CHILD  registers the submission's function with the program that answers the pipe;
-//   CAROM_SEAM_LAZY   defines the function as a lazy answer (zero, one, or an echo of an argument), which no check may accept.
+// The file that holds this line is compiled twice:
+//   CAROM_SEAM_PROXY  defines the function as a call through the pipe, or, to try the grader itself, as a lazy
+//                     answer (zero, one, or an echo of an argument), for the trusted grader;
+//   CAROM_SEAM_CHILD  registers the submission's function with the program that answers the pipe.
 //
 // Arguments may be values, const references, spans, mutable references (sent there and back) and
 // std::function (called back through the pipe).
@@ -14,6 +14,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 
 #include "carom/core/errors.hpp"
 #include "grading/wire.hpp"
@@ -258,9 +259,10 @@ struct Registration {
   }
 };
 
-/// Which lazy answer to give.
+/// The answer that somebody gives who has not thought. No check may accept one.
 enum class Lazy { zero, one, echo };
-Lazy lazyMode();
+/// Which lazy answer to give in place of asking a submission, if any (trusted side).
+std::optional<Lazy> lazyMode();
 
 template <class R>
 R lazyValue(bool one) {
@@ -291,14 +293,16 @@ R lazyValue(bool one) {
 /// Zero, one, or the last argument of the answer's own type.
 template <class R, class... P>
 R lazyAnswer(const P&... p) {
-  R answer = lazyValue<R>(lazyMode() != Lazy::zero);
-  if (lazyMode() == Lazy::echo) {
-    auto echoOne = [&](const auto& value) {
-      if constexpr (std::is_same_v<std::remove_cvref_t<decltype(value)>, R>) answer = value;
-    };
-    (echoOne(p), ...);
+  if constexpr (!std::is_void_v<R>) {  // else it leaves everything as it is
+    R answer = lazyValue<R>(lazyMode() != Lazy::zero);
+    if (lazyMode() == Lazy::echo) {
+      auto echoOne = [&](const auto& value) {
+        if constexpr (std::is_same_v<std::remove_cvref_t<decltype(value)>, R>) answer = value;
+      };
+      (echoOne(p), ...);
+    }
+    return answer;
   }
-  return answer;
 }
 
 }  // namespace carom::grading
@@ -308,6 +312,8 @@ R lazyAnswer(const P&... p) {
 #define CAROM_SEAM(result, name, parameters, arguments)                           \
   namespace carom {                                                               \
   result name parameters {                                                        \
+    if (grading::lazyMode())                                                      \
+      return grading::lazyAnswer<result>(CAROM_UNPAREN arguments);                \
     return grading::Call<result parameters>::remote(#name, grading::submission(), \
                                                     CAROM_UNPAREN arguments);     \
   }                                                                               \
@@ -319,12 +325,5 @@ R lazyAnswer(const P&... p) {
     return Call<result parameters>::serve(static_cast<result(*) parameters>(&carom::name), r, \
                                           channel);                                           \
   });                                                                                         \
-  }
-#elif defined(CAROM_SEAM_LAZY)
-#define CAROM_SEAM(result, name, parameters, arguments)          \
-  namespace carom {                                              \
-  result name parameters {                                       \
-    return grading::lazyAnswer<result>(CAROM_UNPAREN arguments); \
-  }                                                              \
   }
 #endif

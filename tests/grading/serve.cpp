@@ -17,12 +17,6 @@ std::map<std::string, Handler>& handlers() {
   return all;
 }
 
-Lazy lazyMode() {
-  const char* mode = std::getenv("CAROM_LAZY");
-  const std::string_view text = mode ? mode : "";
-  return text == "one" ? Lazy::one : text == "echo" ? Lazy::echo : Lazy::zero;
-}
-
 namespace {
 
 void readAll(char* data, std::size_t size) {
