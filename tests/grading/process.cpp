@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <poll.h>
+#include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/syscall.h>
@@ -15,7 +16,6 @@
 
 #if __has_include(<linux/seccomp.h>) && (defined(__x86_64__) || defined(__aarch64__))
 #include <linux/audit.h>
-#include <linux/capability.h>
 #include <linux/filter.h>
 #include <linux/seccomp.h>
 #define CAROM_HAS_SECCOMP 1
@@ -105,20 +105,14 @@ constexpr unsigned argument(int i) {
   return static_cast<unsigned>(offsetof(seccomp_data, args) + 8u * static_cast<unsigned>(i));
 }
 
-#endif
+struct Filter {
+  sock_filter rules[48 + 2 * std::size(kHarmless)];
+  unsigned short size = 0;
+};
 
-}  // namespace
-
-bool enterSandbox() {
-#ifdef CAROM_HAS_SECCOMP
-  // No new rights by exec, and for root none of the old ones either: uid 0 alone opens no other process.
-  prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0);
-  for (unsigned long capability = 0; capability < 64; ++capability)
-    prctl(PR_CAPBSET_DROP, capability, 0, 0, 0);
-  __user_cap_header_struct header{_LINUX_CAPABILITY_VERSION_3, 0};
-  __user_cap_data_struct none[2]{};
-  syscall(SYS_capset, &header, none);
-
+// \param self the process that may send itself a signal; 0: whoever is in the same namespace
+// \param exec may it run a program by name?
+Filter makeFilter(unsigned self, bool exec) {
   constexpr unsigned short load = BPF_LD | BPF_W | BPF_ABS;
   constexpr unsigned short equal = BPF_JMP | BPF_JEQ | BPF_K;
   constexpr unsigned short anyBit = BPF_JMP | BPF_JSET | BPF_K;
@@ -128,11 +122,9 @@ bool enterSandbox() {
   constexpr unsigned number = offsetof(seccomp_data, nr);
   constexpr unsigned writing =
       O_ACCMODE | O_CREAT | O_TRUNC | O_APPEND | (O_TMPFILE & ~O_DIRECTORY);
-  const auto self = static_cast<unsigned>(getpid());
-  sock_filter program[40 + 2 * std::size(kHarmless)];
-  unsigned short size = 0;
+  Filter filter{};
   auto add = [&](unsigned short code, unsigned k, unsigned char yes = 0, unsigned char no = 0) {
-    program[size++] = sock_filter{code, yes, no, k};
+    filter.rules[filter.size++] = sock_filter{code, yes, no, k};
   };
   // allowed(call, i, test, k): the call when argument i passes the test.
   auto allowed = [&](unsigned call, int i, unsigned short test, unsigned k, bool wanted) {
@@ -142,26 +134,64 @@ bool enterSandbox() {
     add(leave, allow);
     add(leave, refuse);
   };
+  auto always = [&](unsigned call) {
+    add(equal, call, 0, 1);
+    add(leave, allow);
+  };
   add(load, offsetof(seccomp_data, arch));
   add(equal, kMachine, 1, 0);
   add(leave, refuse);
   add(load, number);
-  for (const unsigned call : kHarmless) {
-    add(equal, call, 0, 1);
-    add(leave, allow);
-  }
+  for (const unsigned call : kHarmless) always(call);
+  if (exec) always(__NR_execve);
   allowed(__NR_openat, 2, anyBit, writing, false);
 #ifdef __x86_64__
   allowed(__NR_open, 1, anyBit, writing, false);
 #endif
   allowed(__NR_prlimit64, 0, equal, 0, true);  // its own limits
-  allowed(__NR_tgkill, 0, equal, self, true);  // abort()
+  // abort()
+  if (self) {
+    allowed(__NR_tgkill, 0, equal, self, true);
+  } else {
+    always(__NR_tgkill);
+  }
   add(leave, refuse);
-  const sock_fprog all{size, program};
+  return filter;
+}
+#endif
+
+}  // namespace
+
+bool enterSandbox() {
+#ifdef CAROM_HAS_SECCOMP
+  // No new rights by exec, and for root none of the old ones either: uid 0 alone opens no other process.
+  dropRights();
+  Filter filter = makeFilter(static_cast<unsigned>(getpid()), false);
+  const sock_fprog all{filter.size, filter.rules};
   return prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &all, 0, 0) == 0;
 #else
   return false;
 #endif
+}
+
+std::string systemCallFilter() {
+#ifdef CAROM_HAS_SECCOMP
+  const Filter filter = makeFilter(0, true);
+  return {reinterpret_cast<const char*>(filter.rules), filter.size * sizeof(sock_filter)};
+#else
+  return {};
+#endif
+}
+
+int filterFile() {
+  const std::string rules = systemCallFilter();
+  const int file = memfd_create("filter", MFD_CLOEXEC);
+  if (file >= 0 && (write(file, rules.data(), rules.size()) != static_cast<ssize_t>(rules.size()) ||
+                    lseek(file, 0, SEEK_SET) != 0)) {
+    close(file);
+    return -1;
+  }
+  return file;
 }
 
 // The address sanitizer maps terabytes of shadow memory; what is started from here is built as this file is.
@@ -210,6 +240,12 @@ std::string describeEnd(int waitStatus) {
   }
 }
 
+int endInside(int waitStatus) {
+  if (!WIFEXITED(waitStatus)) return waitStatus;
+  const int signal = WEXITSTATUS(waitStatus) - 128;
+  return signal > 0 && signal < 65 ? signal : waitStatus;
+}
+
 void killGroup(pid_t leader) {
   kill(-leader, SIGKILL);
   kill(leader, SIGKILL);
@@ -229,7 +265,8 @@ Finished run(const Command& command) {
   for (const auto& word : command.words) words.push_back(const_cast<char*>(word.c_str()));
   words.push_back(nullptr);
   std::vector<char*> environment;
-  for (char** entry = environ; *entry; ++entry) {
+  const Enclosure& enclosure = command.enclosure;
+  for (char** entry = environ; *entry && !enclosure.any; ++entry) {
     bool replaced = false;
     for (const auto& own : command.environment) {
       const auto name = own.substr(0, own.find('=') + 1);
@@ -240,14 +277,21 @@ Finished run(const Command& command) {
   for (const auto& own : command.environment) environment.push_back(const_cast<char*>(own.c_str()));
   environment.push_back(nullptr);
 
+  int filter = command.filtered ? filterFile() : -1;
   const pid_t child = fork();
+  if (filter >= 0 && child != 0) close(filter);
   if (child < 0) {
     done.end = std::string("could not be started: ") + std::strerror(errno);
     if (output[0] >= 0) close(output[0]), close(output[1]);
     return done;
   }
   if (child == 0) {
-    setpgid(0, 0);
+    // Enclosed work has no terminal either.
+    if (enclosure.any) {
+      setsid();
+    } else {
+      setpgid(0, 0);
+    }
     if (!command.directory.empty() && chdir(command.directory.c_str()) != 0) _exit(127);
     if (!command.inheritInput) {
       const int nothing = open("/dev/null", O_RDONLY);
@@ -258,13 +302,22 @@ Finished run(const Command& command) {
       dup2(output[1], 2);
     }
     // Out of the way first: one of them may stand where another has to go.
+    constexpr int away = 3 + 8;
     int next = 3;
     int moved[8];
+    if (filter >= 0) filter = fcntl(filter, F_DUPFD_CLOEXEC, away + 8);
     for (std::size_t i = 0; i < command.files.size() && i < std::size(moved); ++i)
-      moved[i] = fcntl(command.files[i], F_DUPFD_CLOEXEC, 3 + static_cast<int>(std::size(moved)));
+      moved[i] = fcntl(command.files[i], F_DUPFD_CLOEXEC, away);
     for (std::size_t i = 0; i < command.files.size() && i < std::size(moved); ++i)
       dup2(moved[i], next++);
+    if (filter >= 0) dup2(filter, next++);
+    if (enclosure.any) closeFrom(next);
     applyLimits(command.limits);
+    if (!enter(enclosure)) {
+      const char* text = "the sandbox cannot be entered\n";
+      if (write(2, text, std::strlen(text)) < 0) _exit(126);
+      _exit(126);
+    }
     if (command.shutIn) {
       // Opened before the rights go: root without them cannot enter the folders of other users.
       const int file = open(words[0], O_RDONLY | O_CLOEXEC);
@@ -280,7 +333,7 @@ Finished run(const Command& command) {
     }
     _exit(127);
   }
-  setpgid(child, child);
+  if (!enclosure.any) setpgid(child, child);
   if (output[1] >= 0) close(output[1]);
 
   const auto deadline = begin + std::chrono::duration_cast<Clock::duration>(
@@ -328,6 +381,7 @@ Finished run(const Command& command) {
   }
   killGroup(child);
   if (!reaped) waitpid(child, &status, 0);
+  if (enclosure.any) status = endInside(status);
   if (output[0] >= 0) close(output[0]);
   if (WIFEXITED(status) && !done.timedOut && !done.tooMuchOutput)
     done.exitCode = WEXITSTATUS(status);

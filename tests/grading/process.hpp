@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "grading/enclosure.hpp"
+
 namespace carom::grading {
 
 /// What a child process may use. Zero means no limit.
@@ -31,33 +33,8 @@ bool enterSandbox();
 /// BPF program; none where the system has no such lock. They also allow execve, with which bubblewrap starts it.
 std::string systemCallFilter();
 
-/// Something that a process sees in its own namespace of files.
-struct Place {
-  enum Kind { readable, writable, hidden, link };
-  Kind kind = readable;
-  std::string from;     ///< outside; for a link what it points to
-  std::string to;       ///< inside
-  bool folder = false;  ///< else a file
-};
-
-/// What a process does between fork and exec to shut itself in. Made by confined() in sandbox.hpp.
-struct Enclosure {
-  bool any = false;            ///< false: none of this
-  bool nobody = false;         ///< root becomes uid 65534
-  bool namespaces = false;     ///< namespaces are made here; else by a program, or there are none
-  bool userNamespace = false;  ///< the rights for that come from a namespace of users
-  std::string base;            ///< an existing folder, over which the new root is mounted before it is one
-  std::string directory;       ///< where to run, inside
-  std::vector<Place> places;
-};
-
-/// Enters an enclosure: for the child between fork and exec, allocates nothing. Where processes get a namespace of
-/// their own it returns in a new process, and the one that called it waits for that, and ends as it ends.
-/// \return false when the system refuses
-bool enter(const Enclosure& enclosure);
-
-/// Closes every file descriptor from this one on.
-void closeFrom(int first);
+/// systemCallFilter() in an open file. \return its descriptor, -1 when there is none
+int filterFile();
 
 /// Says how a process ended: "crashed (segmentation fault)", "ended with exit code 3".
 std::string describeEnd(int waitStatus);
@@ -92,6 +69,8 @@ struct Command {
   std::vector<int> files;
   /// enterSandbox() before the program starts, which must then be named by its whole path.
   bool shutIn = false;
+  /// filterFile() comes as one more of the files, for bubblewrap. Made by confined() of shutIn.
+  bool filtered = false;
 };
 
 /// Runs a command and waits for its end or its limits. Never throws for what the command does.
