@@ -18,6 +18,7 @@ std::string toText(const Command& command) {
               {"shut_in", command.shutIn},
               {"filtered", command.filtered},
               {"any", e.any},
+              {"processes", command.limits.processes},
               {"nobody", e.nobody},
               {"namespaces", e.namespaces},
               {"user_namespace", e.userNamespace},
@@ -34,6 +35,7 @@ Command fromText(const std::string& text) {
   command.environment = from.at("environment").get<std::vector<std::string>>();
   command.shutIn = from.at("shut_in");
   command.filtered = from.at("filtered");
+  command.limits.processes = from.at("processes");
   Enclosure& e = command.enclosure;
   e.any = from.at("any");
   e.nobody = from.at("nobody");

@@ -67,18 +67,31 @@ bool readOnly(const char* path) {
   return mount(nullptr, path, nullptr, flags, nullptr) == 0;
 }
 
+struct Path {
+  char text[PATH_MAX] = "";
+  Path(const std::string& base, const std::string& to) {
+    if (base.size() + to.size() + 1 > sizeof text) return;  // no path: nothing can be mounted there
+    std::memcpy(text, base.data(), base.size());
+    std::memcpy(text + base.size(), to.c_str(), to.size() + 1);
+  }
+};
+
+bool emptied(const std::string& base, const Place& place) {
+  const Path path(base, place.to);
+  return mount(nullptr, path.text, nullptr, MS_REMOUNT | MS_BIND | MS_RDONLY | MS_NOSUID | MS_NODEV,
+               nullptr) == 0;
+}
+
 bool show(const std::string& base, const Place& place) {
-  char to[PATH_MAX];
-  if (base.size() + place.to.size() + 1 > sizeof to) return false;
-  std::memcpy(to, base.data(), base.size());
-  std::memcpy(to + base.size(), place.to.c_str(), place.to.size() + 1);
+  Path path(base, place.to);
+  char* to = path.text;
   switch (place.kind) {
     case Place::link:
       makeFolders(to, false);
       return symlink(place.from.c_str(), to) == 0;
     case Place::hidden:
       makeFolders(to, true);
-      return mount("none", to, "tmpfs", MS_NOSUID | MS_NODEV | MS_RDONLY, "size=4k,mode=755") == 0;
+      return mount("none", to, "tmpfs", MS_NOSUID | MS_NODEV, "size=1m,mode=755") == 0;
     case Place::readable:
     case Place::writable:
       makeFolders(to, place.folder);
@@ -98,6 +111,10 @@ bool newRoot(const Enclosure& e) {
   if (mount("none", base, "tmpfs", MS_NOSUID | MS_NODEV, "size=4m,mode=755") != 0) return false;
   for (const auto& place : e.places) {
     if (!show(e.base, place)) return false;
+  }
+  for (const auto& place : e.places) {
+    // Only now, because what follows may have been mounted in it.
+    if (place.kind == Place::hidden && !emptied(e.base, place)) return false;
   }
   // The root alone: what is mounted in it has its own rights.
   if (mount(nullptr, base, nullptr, MS_REMOUNT | MS_BIND | MS_RDONLY | MS_NOSUID | MS_NODEV,
@@ -139,7 +156,10 @@ void closeFrom(int first) {
 bool enter(const Enclosure& e) {
   if (!e.any) return true;
   // Without a namespace of users, root still needs its rights to make the others.
-  if (e.nobody && (!e.namespaces || e.userNamespace) && !becomeNobody()) return false;
+  if (e.nobody && (!e.namespaces || e.userNamespace)) {
+    if (!becomeNobody()) return false;
+    prctl(PR_SET_PDEATHSIG, SIGKILL, 0, 0, 0);
+  }
   if (!e.namespaces) {
     return e.directory.empty() || chdir(e.directory.c_str()) == 0;
   }
@@ -162,7 +182,7 @@ bool enter(const Enclosure& e) {
   if (!newRoot(e) || sethostname("sandbox", 7) != 0) return false;
   if (e.nobody && !e.userNamespace && !becomeNobody()) return false;
   dropRights();
-  // After the last change of users, which would cancel it.
+  // After the last change of users, which cancels it.
   prctl(PR_SET_PDEATHSIG, SIGKILL, 0, 0, 0);
   return e.directory.empty() || chdir(e.directory.c_str()) == 0;
 }

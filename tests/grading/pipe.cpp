@@ -12,7 +12,7 @@
 #include <cstdlib>
 #include <cstring>
 
-#include "grading/process.hpp"
+#include "grading/sandbox.hpp"
 #include "grading/seam.hpp"
 
 namespace carom::grading {
@@ -41,42 +41,61 @@ class Child : public Channel {
     int answer[2];
     if (pipe2(question, O_CLOEXEC) != 0 || pipe2(answer, O_CLOEXEC) != 0)
       throw std::runtime_error("no pipe");
+    // Confined, if whoever called us has decided how; otherwise with limits and the lock alone.
+    const char* text = std::getenv("CAROM_CONFINED");
+    Command command;
+    if (text) {
+      command = fromText(text);
+    } else {
+      command.words = {program};
+      command.shutIn = true;
+    }
+    enclosed_ = command.enclosure.any;
+    std::vector<char*> words;
+    for (const auto& word : command.words) words.push_back(const_cast<char*>(word.c_str()));
+    words.push_back(nullptr);
     char* const environment[] = {nullptr};
-    char* const words[] = {const_cast<char*>(program), nullptr};
-    Limits limits;
+    Limits limits = command.limits;
     limits.cpuSeconds = fromEnvironment("CAROM_CPU_S", 5);
     limits.memoryMegabytes = fromEnvironment("CAROM_MEM_MB", 1024);
     limits.fileKilobytes = 1;
-    limits.processes = fromEnvironment("CAROM_PROCESSES", 0);
     wallSeconds_ = fromEnvironment("CAROM_WALL_S", 3);
     signal(SIGPIPE, SIG_IGN);
     // What the grader expects stands in its memory: nobody else of this user may look there.
 #if !defined(__SANITIZE_ADDRESS__)  // whose leak check looks at itself in the same way
     prctl(PR_SET_DUMPABLE, 0, 0, 0, 0);
 #endif
+    const int filter = command.filtered ? filterFile() : -1;
     const pid_t self = getpid();
     pid_ = fork();
+    if (filter >= 0 && pid_ != 0) close(filter);
     if (pid_ < 0) throw std::runtime_error("no process");
     if (pid_ == 0) {
       setsid();
       // The question pipe may itself sit on 3 or 4: move both ends out of the way first.
       const int in = fcntl(question[0], F_DUPFD, 10);
       const int out = fcntl(answer[1], F_DUPFD, 10);
+      const int rules = filter >= 0 ? fcntl(filter, F_DUPFD, 10) : -1;
       const int nothing = open("/dev/null", O_RDWR);
       dup2(nothing, 0);
       dup2(nothing, 1);
       dup2(nothing, 2);
       dup2(in, 3);
       dup2(out, 4);
-      for (int fd = 5; fd < 256; ++fd) close(fd);
+      if (filter >= 0) dup2(rules, 5);
+      closeFrom(filter >= 0 ? 6 : 5);
       applyLimits(limits);
       // No child outlives a grader that was killed.
       prctl(PR_SET_PDEATHSIG, SIGKILL, 0, 0, 0);
-      if (getppid() != self) _exit(127);
-      // Opened before the rights go: root without them cannot enter the folders of other users.
-      const int file = open(program, O_RDONLY | O_CLOEXEC);
-      enterSandbox();
-      syscall(SYS_execveat, file, "", words, environment, AT_EMPTY_PATH);
+      if (getppid() != self || !enter(command.enclosure)) _exit(127);
+      if (command.shutIn) {
+        // Opened before the rights go: root without them cannot enter the folders of other users.
+        const int file = open(words[0], O_RDONLY | O_CLOEXEC);
+        enterSandbox();
+        syscall(SYS_execveat, file, "", words.data(), environment, AT_EMPTY_PATH);
+      } else {
+        execve(words[0], words.data(), environment);
+      }
       _exit(127);
     }
     close(question[0]);
@@ -174,21 +193,26 @@ class Child : public Channel {
 
   int stop() {
     close(to_);
-    close(from_);
     // Give a child that is about to end by itself the time to leave its own exit status.
     int status = 0;
-    for (int i = 0; i < 50; ++i) {
-      if (waitpid(pid_, &status, WNOHANG) == pid_) {
-        killGroup(pid_);
-        pid_ = -1;
-        return status;
-      }
-      usleep(1000);
+    bool ended = false;
+    for (int i = 0; i < 50 && !ended; ++i) {
+      ended = waitpid(pid_, &status, WNOHANG) == pid_;
+      if (!ended) usleep(1000);
     }
     killGroup(pid_);
-    waitpid(pid_, &status, 0);
+    if (!ended) waitpid(pid_, &status, 0);
     pid_ = -1;
-    return status;
+    // As long as somebody holds the other end of the pipe, somebody of the group is left.
+    char rest[1 << 12];
+    fcntl(from_, F_SETFL, O_NONBLOCK);
+    for (int i = 0; i < 1000; ++i) {
+      const ssize_t got = read(from_, rest, sizeof rest);
+      if (got == 0) break;
+      if (got < 0) usleep(1000);
+    }
+    close(from_);
+    return enclosed_ ? endInside(status) : status;
   }
 
   [[noreturn]] void fail(std::string reason = "") {
@@ -198,6 +222,7 @@ class Child : public Channel {
   }
 
   pid_t pid_ = -1;
+  bool enclosed_ = false;
   int to_ = -1;
   int from_ = -1;
   int wallSeconds_ = 3;

@@ -136,14 +136,17 @@ std::vector<std::string> bubblewrapWords(const Command& command, const std::vect
         add({"--bind", place.from, place.to});
         break;
       case Place::hidden:
-        add({"--tmpfs", place.to, "--remount-ro", place.to});
+        add({"--tmpfs", place.to});
         break;
       case Place::link:
         add({"--symlink", place.from, place.to});
         break;
     }
   }
-  // The root is memory: nobody may fill it.
+  // What is memory, the root too, nobody may fill.
+  for (const auto& place : places) {
+    if (place.kind == Place::hidden) add({"--remount-ro", place.to});
+  }
   add({"--remount-ro", "/", "--chdir", command.directory.empty() ? "/" : command.directory});
   if (command.shutIn) add({"--seccomp", std::to_string(3 + command.files.size())});
   words.push_back("--");
