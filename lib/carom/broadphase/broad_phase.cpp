@@ -1,0 +1,143 @@
+#include "carom/broadphase/broad_phase.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "carom/broadphase/require_box.hpp"
+#include "carom/core/checks.hpp"
+
+namespace carom {
+namespace {
+
+bool isBox(const Aabb<3>& box) {
+  return (box.low.array() <= box.high.array()).all();
+}
+
+void requireBody(const BroadPhase& phase, std::int32_t body) {
+  if (!phase.contains(body)) reject("body", std::to_string(body), "must be in the broad phase");
+}
+
+}  // namespace
+
+BroadPhase::BroadPhase(const BroadPhaseSettings& settings) : settings_(settings) {
+  requireNonNegative(settings.margin, "margin");
+  requireNonNegative(settings.stepsAhead, "stepsAhead");
+  if (!(settings.rebuildAt >= 1)) reject("rebuildAt", toText(settings.rebuildAt), "must be >= 1");
+}
+
+void BroadPhase::reserve(std::int32_t bodies, std::int32_t pairs) {
+  if (bodies <= 0) return;
+  bodies_.reserve(bodies);
+  moving_.reserve(bodies);
+  immovable_.reserve(bodies);
+  pairs_.reserve(bodies, pairs);
+  moved_.reserve(bodies);
+  movedItems_.reserve(bodies);
+  movedBoxes_.reserve(bodies);
+  begun_.reserve(pairs);
+  ended_.reserve(pairs);
+  removed_.reserve(pairs);
+}
+
+void BroadPhase::list(std::int32_t body) {
+  if (bodies_[body].isListed) return;
+  bodies_[body].isListed = true;
+  moved_.push_back(body);
+}
+
+Aabb<3> BroadPhase::withRoom(const Aabb<3>& box, const Vector3& way) const {
+  // Infinite edges have room enough, and say nothing of the size of a body.
+  Real sum = 0;
+  int finite = 0;
+  for (int k = 0; k < 3; ++k) {
+    const Real edge = box.high(k) - box.low(k);
+    if (!std::isfinite(edge)) continue;
+    sum += edge;
+    ++finite;
+  }
+  const Vector3 room = Vector3::Constant(finite > 0 ? settings_.margin * sum / finite : 0);
+  const Vector3 ahead = settings_.stepsAhead * way;
+  return {box.low - room + ahead.cwiseMin(0), box.high + room + ahead.cwiseMax(0)};
+}
+
+void BroadPhase::add(std::int32_t body, const Aabb<3>& box, Mobility mobility) {
+  requireItem(body);
+  requireBox(box);
+  if (contains(body)) reject("body", std::to_string(body), "must not be in the broad phase yet");
+  if (static_cast<std::size_t>(body) >= bodies_.size()) bodies_.resize(body + 1);
+  Body& added = bodies_[body];
+  added.isIn = added.isNew = true;
+  added.isImmovable = mobility == Mobility::immovable;
+  added.box = added.isImmovable ? box : withRoom(box, Vector3::Zero());
+  list(body);
+}
+
+void BroadPhase::remove(std::int32_t body) {
+  requireBody(*this, body);
+  pairs_.forEachOf(body, [&](std::int32_t slot, std::int32_t other) {
+    removed_.push_back({pairOf(body, other), slot});
+    pairs_.remove(slot);
+  });
+  if (!bodies_[body].isNew) (bodies_[body].isImmovable ? immovable_ : moving_).remove(body);
+  // It may stand in moved_ still, and is passed over there.
+  bodies_[body] = Body();
+}
+
+void BroadPhase::move(std::int32_t body, const Aabb<3>& box, const Vector3& way) {
+  requireBody(*this, body);
+  Body& moved = bodies_[body];
+  if (holds(moved.box, box) && isBox(box) && !moved.isImmovable) return;
+  requireBox(box);
+  requireFinite(way, "way");
+  moved.box = moved.isImmovable ? box : withRoom(box, way);
+  list(body);
+}
+
+void BroadPhase::touch(std::int32_t body) {
+  requireBody(*this, body);
+  list(body);
+}
+
+void BroadPhase::updateTrees() {
+  movedItems_.clear();
+  movedBoxes_.clear();
+  for (const std::int32_t body : moved_) {
+    Body& moved = bodies_[body];
+    if (!moved.isListed) continue;
+    ++counters_.left;
+    Tree<3>& tree = moved.isImmovable ? immovable_ : moving_;
+    if (moved.isNew) {
+      moved.isNew = false;
+      tree.insert(body, moved.box);
+    } else if (moved.isImmovable) {
+      tree.move(body, moved.box);
+    } else {
+      movedItems_.push_back(body);
+      movedBoxes_.push_back(moved.box);
+    }
+  }
+  moving_.move(movedItems_, movedBoxes_);
+  for (Tree<3>* tree : {&moving_, &immovable_}) {
+    if (2 * tree->unsettled() <= tree->size() && tree->worsening() <= settings_.rebuildAt) continue;
+    tree->rebuild();
+    ++counters_.rebuilt;
+  }
+  // Neighbours one after the other find the same nodes still in the cache.
+  if (4 * static_cast<std::int64_t>(moved_.size()) < moving_.size()) return;
+  ++counters_.together;
+  const auto end = std::remove_if(moved_.begin(), moved_.end(),
+                                  [&](std::int32_t body) { return !bodies_[body].isImmovable; });
+  moved_.erase(end, moved_.end());
+  moving_.forEach([&](std::int32_t body) {
+    if (bodies_[body].isListed) moved_.push_back(body);
+  });
+}
+
+void BroadPhase::sortEvents() {
+  std::sort(begun_.begin(), begun_.end());
+  std::sort(ended_.begin(), ended_.end());
+  counters_.begun += static_cast<std::int64_t>(begun_.size());
+  counters_.ended += static_cast<std::int64_t>(ended_.size());
+}
+
+}  // namespace carom

@@ -1,0 +1,212 @@
+#pragma once
+// Which pairs of bodies have come near each other since the last step, and which have parted?
+//
+// Method: every body gets a box with room to move. As long as its tight box stays inside, there is
+// nothing to do for it. One that leaves gets a new box and asks the trees who meets it; its old
+// pairs are looked at again, its new ones are added. Bodies that never move are in a tree of their
+// own, which is asked by those who move and never asks itself.
+// Why only those that left: in a pile at rest nobody does, and the update costs nothing.
+// Source: the moved list and the fat boxes of Box2D (Catto, 2009; GDC 2019).
+// Not handled: whether the shapes touch (detection), which pairs should not (the caller's `accept`).
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "carom/broadphase/index_pair.hpp"
+#include "carom/broadphase/pair_cache.hpp"
+#include "carom/broadphase/tree.hpp"
+
+namespace carom {
+
+/// May a body move? \ingroup broadphase
+enum class Mobility {
+  moving,    ///< it may: meets all others
+  immovable  ///< it rests for good: meets moving ones only
+};
+
+/// How a broad phase works. \ingroup broadphase
+struct BroadPhaseSettings {
+  /// Room on each side of a moving body, over the mean edge of its box [1]. More room means fewer
+  /// updates and more pairs that do not meet.
+  Real margin = 0.1;
+  /// How many steps' way the room reaches ahead [1].
+  Real stepsAhead = 2;
+  /// The tree is made anew when its surface has grown by this factor [1].
+  Real rebuildAt = 1.3;
+};
+
+/// What the updates have done so far. \ingroup broadphase
+struct BroadPhaseCounters {
+  std::int64_t updates = 0;   ///< calls of update()
+  std::int64_t left = 0;      ///< bodies that had left their boxes
+  std::int64_t visited = 0;   ///< nodes of trees looked at
+  std::int64_t tested = 0;    ///< pairs of bodies whose boxes were compared
+  std::int64_t begun = 0;     ///< pairs that came near
+  std::int64_t ended = 0;     ///< pairs that parted
+  std::int64_t together = 0;  ///< updates that refitted all bodies together
+  std::int64_t rebuilt = 0;   ///< trees made anew
+};
+
+/// Bodies' boxes and the pairs that are near each other. A body is a number from 0 that the caller
+/// chose. The same calls give the same pairs in the same order.
+/// \ingroup broadphase
+class BroadPhase {
+ public:
+  /// An empty broad phase. \param settings how it works
+  /// \throws InvalidInput if a margin is negative or not finite, or the factor is below 1
+  explicit BroadPhase(const BroadPhaseSettings& settings = {});
+
+  /// Makes room, so that no call takes memory up to this size.
+  /// \param bodies the first number that no body has \param pairs how many pairs at a time
+  void reserve(std::int32_t bodies, std::int32_t pairs);
+
+  /// Puts a body in; its pairs begin with the next update().
+  /// \param body a number from 0 that is not in
+  /// \param box its tight box [m, world]; infinite sides allowed
+  /// \param mobility whether it may move
+  /// \throws InvalidInput if it is in already or the box holds no point; then nothing is changed
+  void add(std::int32_t body, const Aabb<3>& box, Mobility mobility);
+
+  /// Takes a body out; its pairs end at once and are in ended() after the next update().
+  /// \param body that is in \throws InvalidInput if it is not
+  void remove(std::int32_t body);
+
+  /// Says where a body is now. Costs a comparison as long as it has room.
+  /// \param body that is in \param box its tight box [m, world]
+  /// \param way its displacement in a step like this one [m]; the room reaches ahead along it
+  /// \throws InvalidInput if it is not in, the box holds no point or the way is not finite
+  void move(std::int32_t body, const Aabb<3>& box, const Vector3& way = Vector3::Zero());
+
+  /// Lets a body's pairs be looked at again by the next update(), as when its filter has changed.
+  /// \param body that is in \throws InvalidInput if it is not
+  void touch(std::int32_t body);
+
+  /// Finds who has come near whom, and who has parted.
+  /// \param accept called with two bodies (the smaller number first) whose boxes meet and that are
+  ///   no pair yet, and with those of pairs that are looked at again: true if they may be a pair
+  template <class Accept>
+  void update(Accept&& accept);
+
+  /// As above, with every pair accepted.
+  void update() {
+    update([](std::int32_t, std::int32_t) { return true; });
+  }
+
+  /// A pair and its slot in pairs(). Ordered by the pair.
+  struct Event {
+    IndexPair pair;             ///< the two bodies
+    std::int32_t slot = kNone;  ///< where it is, or was
+    /// Compares pairs, then slots. \param self one event \param other another \return their order
+    friend constexpr auto operator<=>(const Event& self, const Event& other) = default;
+  };
+
+  /// The pairs that the last update() found. \return sorted by bodies
+  std::span<const Event> begun() const {
+    return begun_;
+  }
+
+  /// The pairs that ended in the last update() or were taken out before it. Their slots may already
+  /// be those of begun() pairs: treat these first.
+  /// \return sorted by bodies
+  std::span<const Event> ended() const {
+    return ended_;
+  }
+
+  /// All pairs that are near each other. \return by slots
+  const PairCache& pairs() const {
+    return pairs_;
+  }
+
+  /// Is a body in? \param body any number \return true if it is
+  bool contains(std::int32_t body) const {
+    return body >= 0 && static_cast<std::size_t>(body) < bodies_.size() && bodies_[body].isIn;
+  }
+
+  /// The box of a body with its room. \param body that is in \return [m, world]
+  const Aabb<3>& box(std::int32_t body) const {
+    return bodies_[body].box;
+  }
+
+  /// The bodies that may move. \return to ask for overlaps, rays and swept boxes
+  const Tree<3>& movingTree() const {
+    return moving_;
+  }
+
+  /// The bodies that never move. \return as above
+  const Tree<3>& immovableTree() const {
+    return immovable_;
+  }
+
+  /// What the updates have done so far. \return counts
+  const BroadPhaseCounters& counters() const {
+    return counters_;
+  }
+
+ private:
+  struct Body {
+    Aabb<3> box;  // with room; of an immovable one tight
+    bool isIn = false;
+    bool isImmovable = false;
+    bool isListed = false;  // in moved_
+    bool isNew = false;     // no tree knows it yet
+  };
+  void list(std::int32_t body);
+  Aabb<3> withRoom(const Aabb<3>& box, const Vector3& way) const;
+  void updateTrees();
+  void sortEvents();
+
+  BroadPhaseSettings settings_;
+  BroadPhaseCounters counters_;
+  std::vector<Body> bodies_;
+  Tree<3> moving_, immovable_;
+  PairCache pairs_;
+  std::vector<std::int32_t> moved_;  // bodies that left their boxes, are new, or were touched
+  std::vector<std::int32_t> movedItems_;
+  std::vector<Aabb<3>> movedBoxes_;
+  std::vector<Event> begun_, ended_, removed_;
+};
+
+template <class Accept>
+void BroadPhase::update(Accept&& accept) {
+  ++counters_.updates;
+  begun_.clear();
+  ended_.swap(removed_);
+  removed_.clear();
+  if (moved_.empty()) return sortEvents();
+  updateTrees();
+
+  // Old pairs of those that moved: do they still meet?
+  for (const std::int32_t body : moved_) {
+    if (!bodies_[body].isListed) continue;
+    pairs_.forEachOf(body, [&](std::int32_t slot, std::int32_t other) {
+      // Both moved: the smaller number looks at it.
+      if (bodies_[other].isListed && other < body) return;
+      ++counters_.tested;
+      const IndexPair pair = pairOf(body, other);
+      if (meets(bodies_[body].box, bodies_[other].box) && accept(pair.first, pair.second)) return;
+      ended_.push_back({pair, slot});
+      pairs_.remove(slot);
+    });
+  }
+
+  // New pairs: those that a body meets and is no pair with yet.
+  for (const std::int32_t body : moved_) {
+    if (!bodies_[body].isListed) continue;
+    const auto found = [&](std::int32_t other) {
+      ++counters_.tested;
+      if (other == body || (bodies_[other].isListed && other < body)) return;
+      if (pairs_.find(body, other) != kNone) return;
+      const IndexPair pair = pairOf(body, other);
+      if (accept(pair.first, pair.second)) begun_.push_back({pair, pairs_.add(body, other)});
+    };
+    counters_.visited += moving_.overlap(bodies_[body].box, found);
+    if (bodies_[body].isImmovable) continue;
+    counters_.visited += immovable_.overlap(bodies_[body].box, found);
+  }
+  for (const std::int32_t body : moved_) bodies_[body].isListed = false;
+  moved_.clear();
+  sortEvents();
+}
+
+}  // namespace carom

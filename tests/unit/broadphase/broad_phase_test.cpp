@@ -1,0 +1,161 @@
+// Are the pairs of the broad phase those of trying all pairs, whatever moves, comes and goes?
+
+#include "carom/broadphase/broad_phase.hpp"
+
+#include "boxes.hpp"
+#include "carom/broadphase/all_pairs.hpp"
+#include "carom/core/errors.hpp"
+#include "support/catch.hpp"
+
+using namespace carom;
+using namespace carom_test;
+
+namespace {
+
+// The pairs of the boxes with their room, by trying all; immovable ones are no pairs.
+std::vector<IndexPair> expectedPairs(const BroadPhase& phase, std::int32_t bodies,
+                                     const std::vector<bool>& immovable) {
+  std::vector<Aabb<3>> boxes;
+  std::vector<std::int32_t> names;
+  for (std::int32_t body = 0; body < bodies; ++body) {
+    if (!phase.contains(body)) continue;
+    boxes.push_back(phase.box(body));
+    names.push_back(body);
+  }
+  std::vector<IndexPair> pairs;
+  for (const IndexPair& pair : allPairs(boxes)) {
+    if (immovable[names[pair.first]] && immovable[names[pair.second]]) continue;
+    pairs.push_back({names[pair.first], names[pair.second]});
+  }
+  return pairs;
+}
+
+}  // namespace
+
+TEST_CASE("the pairs are those of all pairs while bodies move, come and go") {
+  const std::uint64_t seed = GENERATE(1, 2, 3);
+  INFO("seed " << seed);
+  Random random(seed);
+  const int bodies = 120;
+  BroadPhase phase;
+  std::vector<bool> immovable(bodies);
+  std::vector<Vector3> centers(bodies), halves(bodies);
+  std::vector<IndexPair> known;
+  for (int step = 0; step < 150; ++step) {
+    for (int body = 0; body < bodies; ++body) {
+      if (!phase.contains(body)) {
+        if (random.integer(0, 3) != 0) continue;
+        immovable[body] = random.integer(0, 4) == 0;
+        centers[body] = random.vector(5);
+        halves[body] = random.vector(0.5).cwiseAbs() + Vector3::Constant(0.1);
+        phase.add(body, {centers[body] - halves[body], centers[body] + halves[body]},
+                  immovable[body] ? Mobility::immovable : Mobility::moving);
+      } else if (random.integer(0, 60) == 0) {
+        phase.remove(body);
+      } else if (!immovable[body] || random.integer(0, 40) == 0) {
+        // In some steps all move, in some few.
+        if (step % 3 == 1 && body % 20 != 0) continue;
+        const Vector3 way = random.vector(step % 5 == 0 ? 1 : 0.1);
+        centers[body] += way;
+        phase.move(body, {centers[body] - halves[body], centers[body] + halves[body]}, way);
+      }
+    }
+    phase.update();
+    // The same pairs, and the events lead from the old ones to the new ones.
+    const std::vector<IndexPair> expected = expectedPairs(phase, bodies, immovable);
+    REQUIRE(phase.pairs().sorted() == expected);
+    for (const BroadPhase::Event& event : phase.ended()) {
+      const auto at = std::find(known.begin(), known.end(), event.pair);
+      REQUIRE(at != known.end());
+      known.erase(at);
+    }
+    for (const BroadPhase::Event& event : phase.begun()) {
+      CHECK(phase.pairs().pair(event.slot) == event.pair);
+      known.push_back(event.pair);
+    }
+    std::sort(known.begin(), known.end());
+    REQUIRE(known == expected);
+    CHECK(std::is_sorted(phase.begun().begin(), phase.begun().end()));
+    CHECK(std::is_sorted(phase.ended().begin(), phase.ended().end()));
+    for (int body = 0; body < bodies; ++body) {
+      if (!phase.contains(body)) continue;
+      CHECK(holds(phase.box(body),
+                  Aabb<3>{centers[body] - halves[body], centers[body] + halves[body]}));
+    }
+  }
+}
+
+TEST_CASE("what rests costs nothing") {
+  BroadPhase phase;
+  const std::vector<Aabb<3>> boxes = gasBoxes(2000, 7);
+  for (int i = 0; i < 2000; ++i) {
+    phase.add(i, boxes[i], i % 2 == 0 ? Mobility::immovable : Mobility::moving);
+  }
+  phase.update();
+  const BroadPhaseCounters before = phase.counters();
+  // All say where they are, and two hundred times nothing is looked at.
+  for (int step = 0; step < 200; ++step) {
+    for (int i = 0; i < 2000; ++i) {
+      if (i % 2 == 1) phase.move(i, boxes[i]);
+    }
+    phase.update();
+  }
+  CHECK(phase.counters().visited == before.visited);
+  CHECK(phase.counters().tested == before.tested);
+  CHECK(phase.counters().left == before.left);
+  CHECK(phase.counters().updates == before.updates + 200);
+}
+
+TEST_CASE("a pair that is not accepted is none, until its bodies are touched") {
+  BroadPhase phase;
+  phase.add(3, unitBoxAt(0, 0, 0), Mobility::moving);
+  phase.add(1, unitBoxAt(0.5, 0, 0), Mobility::moving);
+  bool accepted = false;
+  const auto accept = [&](std::int32_t a, std::int32_t b) {
+    CHECK(a == 1);
+    CHECK(b == 3);
+    return accepted;
+  };
+  phase.update(accept);
+  CHECK(phase.pairs().size() == 0);
+  accepted = true;
+  phase.update(accept);
+  CHECK(phase.pairs().size() == 0);
+  phase.touch(3);
+  phase.update(accept);
+  CHECK(phase.begun().size() == 1);
+  accepted = false;
+  phase.touch(1);
+  phase.update(accept);
+  CHECK(phase.ended().size() == 1);
+  CHECK(phase.pairs().size() == 0);
+}
+
+TEST_CASE("the ground that reaches to infinity meets all that come near it") {
+  BroadPhase phase;
+  const Real infinity = std::numeric_limits<Real>::infinity();
+  phase.add(0, {Vector3::Constant(-infinity), Vector3(infinity, infinity, 0)}, Mobility::immovable);
+  for (int i = 1; i < 50; ++i) phase.add(i, unitBoxAt(3 * i, 0, 1.5 * i - 0.95), Mobility::moving);
+  phase.update();
+  // Only the first has its lower side within its room of the ground.
+  CHECK(phase.pairs().sorted() == std::vector<IndexPair>{IndexPair{0, 1}});
+}
+
+TEST_CASE("the broad phase refuses what it cannot work with, and stays as it was") {
+  BroadPhase phase;
+  phase.add(0, unitBoxAt(0, 0, 0), Mobility::moving);
+  Aabb<3> broken = unitBoxAt(0, 0, 0);
+  broken.high.y() = std::numeric_limits<Real>::quiet_NaN();
+  CHECK_THROWS_AS(phase.add(1, broken, Mobility::moving), InvalidInput);
+  CHECK_THROWS_AS(phase.move(0, broken), InvalidInput);
+  CHECK_THROWS_AS(phase.move(0, Aabb<3>()), InvalidInput);
+  CHECK_THROWS_AS(phase.add(0, unitBoxAt(0, 0, 0), Mobility::moving), InvalidInput);
+  CHECK_THROWS_AS(phase.add(-1, unitBoxAt(0, 0, 0), Mobility::moving), InvalidInput);
+  CHECK_THROWS_AS(phase.remove(5), InvalidInput);
+  CHECK_THROWS_AS(phase.touch(5), InvalidInput);
+  CHECK_THROWS_AS(BroadPhase({.margin = -1}), InvalidInput);
+  phase.update();
+  CHECK(phase.pairs().size() == 0);
+  CHECK(phase.contains(0));
+  CHECK_FALSE(phase.contains(1));
+}
