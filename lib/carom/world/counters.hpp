@@ -1,0 +1,42 @@
+#pragma once
+// What has a step done, and what has it left out?
+//
+// Numbers of things, counted where the work is done. They are the same on every machine, so that
+// tests can ask whether a scene of balls ever built a separating axis. Times are not the world's
+// business.
+
+#include <cstdint>
+
+#include "carom/core/real.hpp"
+
+namespace carom::world {
+
+/// What the last step did. \ingroup world
+struct Counters {
+  std::int64_t bodiesAwake = 0;        ///< bodies that were stepped
+  std::int64_t bodiesAsleep = 0;       ///< bodies that were skipped
+  std::int64_t bodiesFree = 0;         ///< of those awake: in free flight, nothing near
+  std::int64_t islandsAwake = 0;       ///< islands that were stepped
+  std::int64_t islandsAsleep = 0;      ///< islands that were skipped
+  std::int64_t pairsTested = 0;        ///< boxes compared to find pairs
+  std::int64_t pairsBegun = 0;         ///< pairs that came near
+  std::int64_t pairsEnded = 0;         ///< pairs that went apart
+  std::int64_t pairsAwake = 0;         ///< pairs that were looked at
+  std::int64_t pairsAsleep = 0;        ///< pairs that were skipped
+  std::int64_t manifoldsMade = 0;      ///< manifolds computed
+  std::int64_t axesSearches = 0;       ///< of those: by separating axes (boxes and hulls)
+  std::int64_t contactPoints = 0;      ///< points of the manifolds
+  std::int64_t normalRows = 0;         ///< rows of contact set up
+  std::int64_t frictionRows = 0;       ///< rows of friction set up
+  std::int64_t rowsSolved = 0;         ///< rows times sweeps
+  std::int64_t firstContacts = 0;      ///< searches for a first contact
+  std::int64_t impacts = 0;            ///< impacts resolved at their time
+  std::int64_t slipChanges = 0;        ///< ends of slipping located
+  std::int64_t exactRotations = 0;     ///< bodies turned by the closed form
+  std::int64_t projections = 0;        ///< pairs whose overlap was taken away
+  std::int64_t islandsSplit = 0;       ///< islands looked through because a contact had ended
+  std::int64_t islandsWoken = 0;       ///< islands that woke
+  std::int64_t islandsPutToSleep = 0;  ///< islands that fell asleep
+};
+
+}  // namespace carom::world

@@ -1,0 +1,57 @@
+#pragma once
+// Which ideas does a world use?
+//
+// Each one is a switch, so that a chapter can show what happens without it, and what it costs. The
+// defaults are what the project recommends.
+
+#include "carom/core/real.hpp"
+#include "carom/impulse/combine_restitution.hpp"
+
+namespace carom::world {
+
+/// How the pairs of shapes that may meet are found. \ingroup world
+enum class PairFinding {
+  tree,     ///< two trees of boxes: one for what moves, one for what never does
+  allPairs  ///< every shape against every other
+};
+
+/// The switches and limits of a world. \ingroup world
+struct WorldSettings {
+  Vector3 gravity = Vector3(0, 0, -9.81);  ///< [m/s^2, world]
+
+  PairFinding pairFinding = PairFinding::tree;  ///< how pairs are found
+  bool warmStarting = true;                     ///< begin with the impulses of the last step
+  bool sleeping = true;                         ///< let islands sleep that have come to rest
+  bool continuous = true;                       ///< look for first contacts inside the step
+  bool locateEvents = true;   ///< find impacts and ends of slipping inside the step and go on there
+  bool exactRotation = true;  ///< free rotation in closed form where the inertia needs it
+  bool gyroscopic = true;     ///< the gyroscopic term at all; false: bodies turn as balls do
+  bool trapezoidal = true;    ///< move by the mean of the velocities at both ends of the step
+  bool projectPositions = true;  ///< take overlap away by moving bodies, not by speed
+  bool friction = true;          ///< rows for friction where a coefficient is not zero
+  bool restitution = true;       ///< bounces where a coefficient is not zero
+
+  int iterations = 10;      ///< sweeps over the rows of an island, at least; positive
+  int rowBudget = 100'000;  ///< sweeps go on until they change nothing, or this many rows
+  int eventContacts = 64;   ///< islands with more closed contacts than this take no events
+  int eventsPerBody =
+      200;  ///< in one step; after that impacts are plastic, and then not looked for
+  int maxBodies = 1'000'000;                                   ///< more are refused
+  RestitutionRule restitutionRule = RestitutionRule::maximum;  ///< how two bounces become one
+
+  Real contactMargin = 0.01;   ///< surfaces nearer than this are watched; positive [m]
+  Real touchTolerance = 1e-8;  ///< gap at which approaching points have met; positive [m]
+  Real restTolerance = 1e-6;   ///< gap up to which a contact that carried stays closed [m]
+  Real shortestBounce = 1e-4;  ///< bounces that end within this part of a step are not made [1]
+
+  Real sleepTime = 0.5;       ///< how long an island has to be at rest; positive [s]
+  Real sleepSpeed = 0.05;     ///< no point of a body that falls asleep is faster; positive [m/s]
+  Real sleepDistance = 1e-3;  ///< nor goes further within the sleep time; positive [m]
+};
+
+/// Refuses settings that no world can work with. \param settings any settings
+/// \throws InvalidInput naming the value and the rule
+/// \ingroup world
+void requireUsable(const WorldSettings& settings);
+
+}  // namespace carom::world
