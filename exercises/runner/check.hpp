@@ -90,7 +90,7 @@ struct CheckOptions {
   std::uint64_t seed = 0;           ///< 0: the fixed seed of self-checks
   int answerSeconds = 0;            ///< processor time for a check; 0: the usual
   int compileSeconds = 0;           ///< processor time for the compiler; 0: the usual
-  std::vector<std::string> checks;  ///< only these, asked in this order; empty: all in theirs
+  std::vector<std::string> checks = {};  ///< only these, asked in this order; empty: all in theirs
   int patience = 1;                 ///< checks that may run out of time before the rest is not run
   bool askAll = false;  ///< go on after a check that says not started: for grades in any order
   Workbench* bench =

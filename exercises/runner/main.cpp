@@ -8,6 +8,7 @@
 
 #include "runner/develop.hpp"
 #include "runner/skeleton.hpp"
+#include "runner/teach.hpp"
 #include "runner/view.hpp"
 #include "runner/watch.hpp"
 
@@ -279,7 +280,7 @@ int solution(const Project& project, const Options& o, const View& view) {
     return Exit::checkFailed;
   }
   const auto source = readIfThere(e.folder / e.fileName());
-  if (!source) throw Failure{usage, "this copy of the course holds no solutions"};
+  if (!source) throw Failure{usage, "this copy of the course does not hold the answer to " + e.id};
   std::cout << view.strong("A worked answer") << "\n" << cutAnswer(*source, e.fileName()) << "\n";
   std::cout << readIfThere(e.folder / "why.md").value_or("");
   return Exit::pass;
@@ -469,6 +470,7 @@ int main(int argc, char** argv) {
       developVerb->add_subcommand("check", "Prove that every exercise does what it should");
   proveVerb->add_option("what", o.what);
   developVerb->require_subcommand(1);
+  const TeachVerbs teach(app);
   // Handled by the script ./course; listed here for --help.
   app.add_subcommand("test", "Build everything and run all tests");
   app.add_subcommand("docs", "Build the site");
@@ -550,6 +552,7 @@ int main(int argc, char** argv) {
     }
     if (*syncVerb) return devSync(project, o);
     if (*proveVerb) return devCheck(project, o);
+    if (teach.asked()) return teach.run(project);
     return status(project, o, view);
   } catch (const Failure& failure) {
     if (o.json)
