@@ -36,6 +36,21 @@ inline std::vector<Aabb<3>> gasBoxes(int count, std::uint64_t seed) {
   return boxes;
 }
 
+/// The boxes of case D16: whole numbers, so that every comparison is exact.
+inline std::vector<Aabb<3>> caseBoxes(int count, int world, int size) {
+  std::uint64_t state = 5;
+  const auto next = [&](int limit) {
+    state = 6364136223846793005u * state + 1442695040888963407u;
+    return static_cast<Real>((state >> 33) % static_cast<std::uint64_t>(limit));
+  };
+  std::vector<Aabb<3>> boxes(count);
+  for (Aabb<3>& box : boxes) {
+    for (int k = 0; k < 3; ++k) box.low(k) = next(world);
+    for (int k = 0; k < 3; ++k) box.high(k) = box.low(k) + 1 + next(size);
+  }
+  return boxes;
+}
+
 /// Scenes that are hard on a broad phase, by number from 0 to 9.
 inline std::vector<Aabb<3>> hardBoxes(int scene, int count) {
   const Real infinity = std::numeric_limits<Real>::infinity();
