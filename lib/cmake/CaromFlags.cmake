@@ -35,6 +35,18 @@ function(carom_compile_fast target)
   target_compile_options(${target} PRIVATE $<$<NOT:$<CONFIG:Debug>>:-O1>)
 endfunction()
 
+# The course links a program for every answer: the linker that comes with binutils beside the usual one takes a third of
+# its time.
+set(CAROM_LINKER "")
+if(PROJECT_IS_TOP_LEVEL AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  include(CheckLinkerFlag)
+  check_linker_flag(CXX -fuse-ld=gold CAROM_HAS_GOLD)
+  if(CAROM_HAS_GOLD)
+    set(CAROM_LINKER -fuse-ld=gold)
+    add_link_options(${CAROM_LINKER})
+  endif()
+endif()
+
 # Eigen at -O2 is half as fast as at -O3, at -O0 80 times slower.
 string(REPLACE "-O2" "-O3" CMAKE_CXX_FLAGS_RELWITHDEBINFO "${CMAKE_CXX_FLAGS_RELWITHDEBINFO}")
 string(REPLACE "-DNDEBUG" "" CMAKE_CXX_FLAGS_RELWITHDEBINFO "${CMAKE_CXX_FLAGS_RELWITHDEBINFO}")
