@@ -25,33 +25,43 @@ struct Exercise {
   fs::path statement;
 };
 
-// The exercises below solutions/, in the order of their chapters and, within one, of `order` or the
-// id.
+// The folders with an exercise.ini: solutions/<chapter>/<name>, where exercises are authored, and in
+// a student's copy of the course exercises/<chapter>/given/<name>.
+std::vector<fs::path> exerciseFolders(const fs::path& projectRoot) {
+  std::vector<fs::path> folders;
+  std::error_code none;
+  const auto addFrom = [&](const fs::path& above) {
+    for (const auto& folder : fs::directory_iterator(above, none)) {
+      if (fs::exists(folder.path() / "exercise.ini")) {
+        folders.push_back(folder.path());
+      }
+    }
+  };
+  for (const auto& chapter : fs::directory_iterator(projectRoot / "solutions", none)) {
+    addFrom(chapter.path());
+  }
+  for (const auto& chapter : fs::directory_iterator(projectRoot / "exercises", none)) {
+    addFrom(chapter.path() / "given");
+  }
+  return folders;
+}
+
+// All exercises, in the order of their chapters and, within one, of `order` or the id.
 std::vector<Exercise> findExercises(const fs::path& projectRoot) {
   struct Found {
     int order;
     Exercise exercise;
   };
   std::vector<Found> found;
-  if (fs::exists(projectRoot / "solutions")) {
-    for (const auto& chapter : fs::directory_iterator(projectRoot / "solutions")) {
-      if (!chapter.is_directory()) {
-        continue;
-      }
-      for (const auto& folder : fs::directory_iterator(chapter)) {
-        const fs::path file = folder.path() / "exercise.ini";
-        if (!fs::exists(file)) {
-          continue;
-        }
-        Settings settings = readSettings(file);
-        auto& general = settings[""];
-        const std::string order = general.count("order") ? general["order"] : "1000";
-        found.push_back({std::stoi(order),
-                         {general["id"], general["title"], general["kind"], general["level"],
-                          general["minutes"], chapter.path().filename().string(),
-                          folder.path() / "statement.md"}});
-      }
-    }
+  for (const fs::path& folder : exerciseFolders(projectRoot)) {
+    Settings settings = readSettings(folder / "exercise.ini");
+    auto& general = settings[""];
+    const std::string order = general.count("order") ? general["order"] : "1000";
+    const fs::path above = folder.parent_path();
+    const fs::path chapter = above.filename() == "given" ? above.parent_path() : above;
+    found.push_back({std::stoi(order),
+                     {general["id"], general["title"], general["kind"], general["level"],
+                      general["minutes"], chapter.filename().string(), folder / "statement.md"}});
   }
   std::sort(found.begin(), found.end(), [](const Found& a, const Found& b) {
     return std::tie(a.exercise.chapter, a.order, a.exercise.id) <

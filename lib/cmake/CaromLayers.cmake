@@ -4,6 +4,8 @@
 # Guard 2: the tests of a layer link that layer's target alone (carom_layer_tests).
 # Guard 3: a test compares every #include with the same table (tests/layering).
 
+include(CaromStudent)
+
 set(CAROM_LAYERS core precision rotation mass detection manifold impulse motion toi broadphase solver world)
 set(CAROM_USES_core "")
 set(CAROM_USES_precision core)
@@ -149,6 +151,10 @@ endfunction()
 function(carom_seam group seam)
   cmake_parse_arguments(PARSE_ARGV 2 arg "" "" "LAYERS")
   set(target carom_seam_${group}_${seam})
+  if(NOT EXISTS ${CMAKE_CURRENT_SOURCE_DIR}/${seam}.cpp)
+    carom_students_seam(${target} ${group} ${seam} ${arg_LAYERS})
+    return()
+  endif()
   add_library(${target} OBJECT ${seam}.cpp)
   target_link_libraries(${target} PRIVATE carom_own_flags ${arg_LAYERS})
   target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR}/lib)
@@ -156,14 +162,24 @@ function(carom_seam group seam)
 endfunction()
 
 # Whether an exercise's file is still as it came: an exercise of the kind "fix" comes with code that runs, and is wrong.
-# The skeleton is what exercises/runner/skeleton.cpp cuts; in a copy of the course without solutions nothing is known.
+# The skeleton is what exercises/runner/skeleton.cpp cuts, or what a copy of the course without solutions keeps of it.
 function(carom_is_skeleton file out)
   set(${out} FALSE PARENT_SCOPE)
   get_filename_component(name ${file} NAME_WE)
   get_filename_component(folder ${file} DIRECTORY)
   get_filename_component(chapter ${folder} NAME)
   set(solution ${PROJECT_SOURCE_DIR}/solutions/${chapter}/${name}/${name}.cpp)
-  if(EXISTS ${solution})
+  set(given ${folder}/given/${name})
+  if(EXISTS ${given}/${name}.cpp)
+    set(solution ${given}/${name}.cpp)
+  endif()
+  if(EXISTS ${given}/skeleton.cpp)
+    file(READ ${given}/skeleton.cpp skeleton)
+    file(READ ${file} content)
+    if("${content}" STREQUAL "${skeleton}")
+      set(${out} TRUE PARENT_SCOPE)
+    endif()
+  elseif(EXISTS ${solution})
     execute_process(
       COMMAND sed -e "/^ *\\/\\/# solution/,/^ *\\/\\/# stub/d" -e "/^ *\\/\\/# end/d" -e "s|^\\( *\\)//#. \\{0,1\\}|\\1|"
         -e "s/^ *$//" ${solution}
