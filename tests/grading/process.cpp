@@ -111,7 +111,7 @@ struct Filter {
 };
 
 // \param self the process that may send itself a signal; 0: whoever is in the same namespace
-// \param exec may it run a program by name?
+// \param exec may it run a program by name, and wait for it?
 Filter makeFilter(unsigned self, bool exec) {
   constexpr unsigned short load = BPF_LD | BPF_W | BPF_ABS;
   constexpr unsigned short equal = BPF_JMP | BPF_JEQ | BPF_K;
@@ -143,7 +143,10 @@ Filter makeFilter(unsigned self, bool exec) {
   add(leave, refuse);
   add(load, number);
   for (const unsigned call : kHarmless) always(call);
-  if (exec) always(__NR_execve);
+  if (exec) {
+    always(__NR_execve);
+    always(__NR_wait4);
+  }
   allowed(__NR_openat, 2, anyBit, writing, false);
 #ifdef __x86_64__
   allowed(__NR_open, 1, anyBit, writing, false);

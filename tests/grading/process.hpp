@@ -30,7 +30,8 @@ void applyLimits(const Limits& limits);
 bool enterSandbox();
 
 /// The rules of enterSandbox() for a program in a process namespace of its own, as bubblewrap takes them: bytes of a
-/// BPF program; none where the system has no such lock. They also allow execve, with which bubblewrap starts it.
+/// BPF program; none where the system has no such lock. They also allow execve and wait4, with which bubblewrap starts
+/// it and waits for it.
 std::string systemCallFilter();
 
 /// systemCallFilter() in an open file. \return its descriptor, -1 when there is none
