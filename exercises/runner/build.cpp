@@ -3,6 +3,9 @@
 #include <unistd.h>
 
 #include <atomic>
+#include <optional>
+
+#include "runner/confine.hpp"
 
 namespace carom::runner {
 
@@ -24,15 +27,29 @@ void append(std::vector<std::string>& to, const std::vector<std::string>& more) 
 }
 
 fs::path link(const Project& project, const std::vector<std::string>& inputs,
-              const fs::path& target) {
+              const fs::path& target, const grading::Sandbox* sandbox = nullptr) {
+  std::optional<OutFolder> out;
+  if (sandbox) out.emplace(target.parent_path());
+  const fs::path name = target.filename();
   grading::Command command;
   command.words = {project.text("compiler")};
   append(command.words, list(project.manifest.at("flags")));
   append(command.words, inputs);
-  append(command.words, {"-o", target.string()});
+  append(command.words, {"-o", (out ? out->path() / name : target).string()});
   command.limits = {.wallSeconds = 120, .cpuSeconds = 60, .outputKilobytes = 1024};
+  if (sandbox) {
+    // A plugin would run what an object asks it to.
+    if (project.text("compiler_id") == "GNU")
+      append(command.words, {"-fno-lto", "-fno-use-linker-plugin"});
+    std::vector<fs::path> files;
+    for (const auto& input : inputs) {
+      if (input.starts_with("/")) files.emplace_back(input);
+    }
+    command.limits.fileKilobytes = 256 << 10;
+    command = confinedTool(project, std::move(command), files, out->path(), *sandbox);
+  }
   const auto done = grading::run(command);
-  if (!done.ok())
+  if (!done.ok() || (out && !out->take(name.string(), target)))
     throw Failure{ourFault, "linking " + target.filename().string() + " failed: " + done.end +
                                 "\n" + done.output};
   return target;
@@ -116,14 +133,18 @@ WorkFolder::~WorkFolder() {
 }
 
 Compiled compileSubmission(const Project& project, const Exercise& exercise, const fs::path& source,
-                           const fs::path& folder, int cpuSeconds) {
+                           const fs::path& folder, int cpuSeconds,
+                           const grading::Sandbox* sandbox) {
+  std::optional<OutFolder> out;
+  if (sandbox) out.emplace(folder);
   const auto& entry = project.entry(exercise);
   grading::Command command;
   command.words = {project.text("compiler")};
   // Messages in English and with plain quotes, whatever language is set: they are read below.
   command.environment = {"LC_ALL=C"};
   append(command.words, list(project.manifest.at("flags")));
-  append(command.words, list(project.manifest.at("submission_flags")));
+  append(command.words, list(project.manifest.at(exercise.isTest() ? "test_submission_flags"
+                                                                   : "submission_flags")));
   // Templates and constant expressions that compute for ever end here, long before the limits on time and memory.
   const bool clang = project.text("compiler_id").find("Clang") != std::string::npos;
   append(command.words, {"-ftemplate-depth=512",
@@ -140,15 +161,25 @@ Compiled compileSubmission(const Project& project, const Exercise& exercise, con
   result.object = folder / (exercise.name + ".o");
   fs::path depends = result.object;
   depends += ".d";
-  append(command.words, {"-MD", "-MF", depends.string()});
-  append(command.words, {"-c", source.string(), "-o", result.object.string()});
+  auto written = [&](const fs::path& file) {
+    return (out ? out->path() / file.filename() : file).string();
+  };
+  append(command.words, {"-MD", "-MF", written(depends)});
+  append(command.words, {"-c", source.string(), "-o", written(result.object)});
   command.limits = {.wallSeconds = cpuSeconds ? 3.0 * cpuSeconds : 60,
                     .cpuSeconds = cpuSeconds ? cpuSeconds : 20,
                     .memoryMegabytes = 2048,
                     .fileKilobytes = 64 << 10,
                     .outputKilobytes = 1024};
+  if (sandbox)
+    command = confinedCompiler(project, exercise, std::move(command), fs::absolute(source),
+                               out->path(), *sandbox);
   const auto done = grading::run(command);
   result.ok = done.ok();
+  if (out && result.ok) {
+    result.ok = out->take(depends.filename(), depends) &&
+                out->take(result.object.filename(), result.object);
+  }
   result.full = done.output;
   result.seconds = done.seconds;
   result.included = includedFiles(readIfThere(depends).value_or(""));
@@ -172,7 +203,8 @@ Compiled compileSubmission(const Project& project, const Exercise& exercise, con
                        done.output.find("terminated program") != std::string::npos ||
                        done.output.find("virtual memory exhausted") != std::string::npos ||
                        done.output.find("out of memory") != std::string::npos;
-  if (!result.ok && limited) {
+  result.limited = !result.ok && limited;
+  if (result.limited) {
     result.firstError = "the compiler was stopped: the file asks too much of it";
   } else if (!result.ok && !found) {
     result.firstError = trimmed(done.output);
@@ -192,13 +224,24 @@ fs::path linkSelfCheck(const Project& project, const Exercise& exercise, const f
 }
 
 fs::path linkChild(const Project& project, const Exercise& exercise, const fs::path& object,
-                   const fs::path& folder) {
+                   const fs::path& folder, const grading::Sandbox* sandbox) {
   const auto& entry = project.entry(exercise);
   std::vector<std::string> inputs = {object.string()};
   append(inputs, list(entry.at("child_objects")));
   append(inputs, list(project.manifest.at("serve_objects")));
   inputs.push_back(entry.at("stage").get<std::string>());
-  return link(project, inputs, folder / "child");
+  return link(project, inputs, folder / "child", sandbox);
+}
+
+fs::path linkTester(const Project& project, const Exercise& exercise, const fs::path& object,
+                    const fs::path& folder, const grading::Sandbox* sandbox) {
+  const auto& entry = project.entry(exercise);
+  std::vector<std::string> inputs = {object.string()};
+  append(inputs, list(entry.at("proxy_objects")));
+  append(inputs, list(project.manifest.at("tester_objects")));
+  inputs.push_back(entry.at("stage").get<std::string>());
+  append(inputs, list(project.manifest.at("catch_libraries")));
+  return link(project, inputs, folder / "tester", sandbox);
 }
 
 fs::path linkProgram(const Project& project, const std::string& program,

@@ -5,6 +5,9 @@
 #include <random>
 #include <set>
 
+#include "runner/confine.hpp"
+#include "runner/versions.hpp"
+
 namespace carom::runner {
 
 using nlohmann::json;
@@ -80,16 +83,35 @@ std::string newNonce() {
   return std::to_string(device()) + std::to_string(device());
 }
 
+// What failed in a sandbox that does not work any more is nobody's fault but ours.
+void blameSandbox(const CheckOptions& options, ExerciseResult& result) {
+  if (!options.sandbox || grading::works(*options.sandbox)) return;
+  result.status = Status::ourFault;
+  result.reason = std::string("The sandbox (") + nameOf(options.sandbox->tier) +
+                  ") does not work any more. " + result.compiled.firstError;
+}
+
+// Does what has not been done with this version yet.
 void compileAndScreen(const Project& project, const Exercise& exercise, const CheckOptions& options,
                       const fs::path& source, const fs::path& folder, Version& version) {
-  if (options.screen) screenSource(readFile(source), version.screening);
-  if (!version.screening.refused.empty()) return;
-  version.compiled = compileSubmission(project, exercise, source, folder, options.compileSeconds);
-  if (!version.compiled.ok || !options.screen) return;
+  if (options.screen && !version.sourceScreened) {
+    version.sourceScreened = true;
+    screenSource(readFile(source), version.screening, exercise.isTest());
+  }
+  if (options.screen && !version.screening.refused.empty()) return;
+  if (!version.compileTried) {
+    version.compileTried = true;
+    version.compiled = compileSubmission(project, exercise, source,
+                                         options.bench ? options.bench->newFolder() : folder,
+                                         options.compileSeconds, options.sandbox);
+  }
+  if (!options.screen || version.objectScreened || !version.compiled.ok) return;
+  version.objectScreened = true;
   const auto& entry = project.entry(exercise);
   screenIncludes(project, exercise, version.compiled.included, source, version.screening);
-  screenObject(project, version.compiled.object, entry.at("library_object").get<std::string>(),
-               entry.at("stage").get<std::string>(), version.screening);
+  screenObject(project, exercise, version.compiled.object,
+               entry.at("library_object").get<std::string>(), entry.at("stage").get<std::string>(),
+               version.screening, options.sandbox);
 }
 
 Runnable prepare(const Project& project, const Exercise& exercise, const CheckOptions& options,
@@ -121,17 +143,13 @@ Runnable prepare(const Project& project, const Exercise& exercise, const CheckOp
   Version unshared;
   Version& version = !options.bench || options.libraryVersion
                          ? unshared
-                         : options.bench->version(source, options.screen);
+                         : options.bench->version(source, options.sandbox != nullptr);
   if (options.libraryVersion) {
     version.compiled.object = entry.at("library_object").get<std::string>();
   } else {
-    if (!version.tried) {
-      version.tried = true;
-      compileAndScreen(project, exercise, options, source,
-                       options.bench ? options.bench->newFolder() : folder, version);
-    }
+    compileAndScreen(project, exercise, options, source, folder, version);
     result.compiled = version.compiled;
-    result.screening = version.screening;
+    if (options.screen) result.screening = version.screening;
     if (!result.screening.refused.empty()) {
       result.status = Status::refused;
       result.reason = result.screening.refused.front();
@@ -139,16 +157,29 @@ Runnable prepare(const Project& project, const Exercise& exercise, const CheckOp
     }
     if (!result.compiled.ok) {
       result.status = Status::doesNotCompile;
+      blameSandbox(options, result);
       return runnable;
     }
   }
   const fs::path& object = version.compiled.object;
   const fs::path beside = options.libraryVersion ? folder : object.parent_path();
   try {
-    if (options.throughPipe || options.libraryVersion) {
-      if (version.child.empty()) version.child = linkChild(project, exercise, object, beside);
+    if (exercise.isTest()) {
+      if (version.selfCheck.empty())
+        version.selfCheck = linkTester(project, exercise, object, beside, options.sandbox);
+      runnable.program = version.selfCheck;
+    } else if (options.throughPipe || options.libraryVersion) {
+      if (version.child.empty())
+        version.child = linkChild(project, exercise, object, beside, options.sandbox);
       runnable.program = trusted;
       runnable.environment.push_back("CAROM_CHILD=" + version.child.string());
+      if (options.sandbox) {
+        grading::Command child;
+        child.words = {version.child.string()};
+        child.files = {-1, -1};  // the grader has the pipes
+        child = confinedProgram(std::move(child), trusted, *options.sandbox);
+        runnable.environment.push_back("CAROM_CONFINED=" + grading::toText(child));
+      }
     } else {
       if (version.selfCheck.empty())
         version.selfCheck = linkSelfCheck(project, exercise, object, beside);
@@ -158,6 +189,7 @@ Runnable prepare(const Project& project, const Exercise& exercise, const CheckOp
     // Without the screen a submission may collide with the grader; that is its doing, not ours.
     result.status = Status::doesNotCompile;
     result.compiled.firstError = failure.message;
+    blameSandbox(options, result);
   }
   return runnable;
 }
@@ -363,6 +395,10 @@ ExerciseResult checkExercise(const Project& project, const Exercise& exercise,
   }
   result.seconds = result.compiled.seconds;
   if (result.status != Status::notRun) return result;
+  if (exercise.isTest()) {
+    checkVersions(project, exercise, options, runnable.program, folder.path(), result);
+    return result;
+  }
 
   std::vector<std::size_t> order;
   for (const auto& name : options.checks) {
@@ -379,6 +415,11 @@ ExerciseResult checkExercise(const Project& project, const Exercise& exercise,
     auto& check = result.checks[*i];
     check = runCheck(exercise.checks[*i], runnable, folder.path(), linked);
     result.seconds += check.seconds;
+    if (check.status == Status::stopped && options.sandbox && !grading::works(*options.sandbox)) {
+      check.status = Status::ourFault;
+      check.reason = std::string("The sandbox (") + nameOf(options.sandbox->tier) +
+                     ") does not work any more. " + check.reason;
+    }
     // Who waited for the limit once need not wait for it again.
     if (check.timedOut && --patience <= 0) {
       for (auto j = i + 1; j != order.end(); ++j)

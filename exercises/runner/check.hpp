@@ -45,11 +45,13 @@ struct ExerciseResult {
 
 /// What has been compiled and linked of a submission.
 struct Version {
-  bool tried = false;
+  bool compileTried = false;
+  bool sourceScreened = false;
+  bool objectScreened = false;
   Compiled compiled;
-  Screening screening;
-  fs::path child;      ///< linked with the program that answers the pipe; empty: not yet
-  fs::path selfCheck;  ///< linked with the tests; empty: not yet
+  Screening screening;  ///< what the screen said, where it was asked
+  fs::path child;       ///< linked with the program that answers the pipe; empty: not yet
+  fs::path selfCheck;   ///< linked with the tests; empty: not yet
 };
 
 /// Keeps what was compiled and linked as long as it lives, so that many checks of the same files
@@ -57,15 +59,15 @@ struct Version {
 class Workbench {
  public:
   explicit Workbench(const Project& project) : folder_(project) {}
-  /// \param screened a version that the screen has not seen is another one than the same file
-  /// screened
-  Version& version(const fs::path& source, bool screened) {
+  /// \param confined a version that was compiled in a sandbox is another one than the same file compiled in the open
+  Version& version(const fs::path& source, bool confined) {
     const auto path = fs::absolute(source).lexically_normal();
-    // What the screen let pass has been compiled as it would be without it.
-    const auto passed = versions_.find({path, true});
-    if (!screened && passed != versions_.end() && passed->second.screening.refused.empty())
-      return passed->second;
-    return versions_[{path, screened}];
+    // What compiles in a sandbox compiles to the same outside, and what asks too much there does so too.
+    const auto inside = versions_.find({path, true});
+    if (!confined && inside != versions_.end() &&
+        (inside->second.compiled.ok || inside->second.compiled.limited))
+      return inside->second;
+    return versions_[{path, confined}];
   }
   /// A folder for the files of one version, made when it is asked for.
   fs::path newFolder() {
@@ -87,12 +89,14 @@ struct CheckOptions {
   bool libraryVersion = false;  ///< ask the library's own function
   bool fingerprint = true;      ///< look for the misconception
   bool screen = true;
-  std::uint64_t seed = 0;           ///< 0: the fixed seed of self-checks
-  int answerSeconds = 0;            ///< processor time for a check; 0: the usual
-  int compileSeconds = 0;           ///< processor time for the compiler; 0: the usual
+  std::uint64_t seed = 0;                ///< 0: the fixed seed of self-checks
+  int answerSeconds = 0;                 ///< processor time for a check; 0: the usual
+  int compileSeconds = 0;                ///< processor time for the compiler; 0: the usual
   std::vector<std::string> checks = {};  ///< only these, asked in this order; empty: all in theirs
-  int patience = 1;                 ///< checks that may run out of time before the rest is not run
+  int patience = 1;     ///< checks that may run out of time before the rest is not run
   bool askAll = false;  ///< go on after a check that says not started: for grades in any order
+  /// What confines compiler, linker and submission; none: they run as we do, with limits. For graders.
+  const grading::Sandbox* sandbox = nullptr;
   Workbench* bench =
       nullptr;  ///< where compiled files are kept; none: they go when the check is over
 };

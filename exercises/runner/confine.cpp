@@ -121,9 +121,10 @@ bool OutFolder::take(const std::string& name, const fs::path& target) const {
   return chmod(target.c_str(), entry.st_mode & S_IXUSR ? 0755 : 0644) == 0;
 }
 
-grading::Command confinedCompiler(const Project& project, grading::Command command,
-                                  const fs::path& home, const fs::path& source, const fs::path& out,
-                                  const grading::Sandbox& sandbox) {
+grading::Command confinedCompiler(const Project& project, const Exercise& exercise,
+                                  grading::Command command, const fs::path& source,
+                                  const fs::path& out, const grading::Sandbox& sandbox) {
+  const fs::path home = project.entry(exercise).at("home").get<std::string>();
   auto confinement = toolchain(project);
   auto headers = [&](const fs::path& folder) {
     confinement.shown.emplace_back(headersOf(project, folder), folder);
@@ -135,6 +136,7 @@ grading::Command confinedCompiler(const Project& project, grading::Command comma
     homeSeen |= home.lexically_relative(folder).string().rfind("..", 0) != 0;
   }
   if (!homeSeen) headers(home);
+  if (exercise.isTest()) headers(project.root / "tests/support");
   for (const auto& include : project.manifest.at("system_includes")) {
     const fs::path folder = include.get<std::string>();
     // What is in /usr is part of the toolchain.
@@ -164,9 +166,10 @@ grading::Command confinedTool(const Project& project, grading::Command command,
 grading::Command confinedProgram(grading::Command command, const fs::path& trusted,
                                  const grading::Sandbox& sandbox) {
   grading::Confinement confinement;
-  confinement.readable = librariesOf(trusted);
+  confinement.readable = librariesOf(trusted.empty() ? "/proc/self/exe" : trusted);
   confinement.readable.emplace_back(command.words.at(0));
   command.shutIn = true;
+  command.directory.clear();
   return confinedTo(std::move(command), confinement, sandbox);
 }
 

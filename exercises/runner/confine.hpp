@@ -27,10 +27,10 @@ class OutFolder {
 
 /// The command of a compiler that reads one source file.
 /// \param command compiles `source` into `out`
-/// \param home the folder of the header that the exercise gives
-grading::Command confinedCompiler(const Project& project, grading::Command command,
-                                  const fs::path& home, const fs::path& source, const fs::path& out,
-                                  const grading::Sandbox& sandbox);
+/// \param exercise what it answers
+grading::Command confinedCompiler(const Project& project, const Exercise& exercise,
+                                  grading::Command command, const fs::path& source,
+                                  const fs::path& out, const grading::Sandbox& sandbox);
 
 /// The command of a tool (linker, nm) that reads a few files.
 /// \param inputs every file that it may read
@@ -41,7 +41,7 @@ grading::Command confinedTool(const Project& project, grading::Command command,
 
 /// The command of a linked submission: sees itself and the system's libraries that it needs, nothing else, and has
 /// the lock on system calls.
-/// \param trusted a program of ours, linked with the same libraries: who needs them is asked of it
+/// \param trusted a program of ours, linked with the same libraries, which says where they are; empty: this program
 grading::Command confinedProgram(grading::Command command, const fs::path& trusted,
                                  const grading::Sandbox& sandbox);
 

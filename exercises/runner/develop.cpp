@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "runner/skeleton.hpp"
+#include "runner/versions.hpp"
 
 namespace carom::runner {
 
@@ -236,6 +237,18 @@ class Prover {
         writeFile(file, text);
         tries.push_back({.source = file, .lazy = {}, .fingerprint = false});
       }
+    } else if (e_.isTest()) {
+      // Cases that somebody writes who has not thought.
+      const std::string include = "#include \"support/catch.hpp\"\n";
+      const std::pair<const char*, std::string> lazy[] = {
+          {"no_cases", include},
+          {"always_passes", include + "TEST_CASE(\"all is well\") { CHECK(true); }\n"},
+          {"always_fails", include + "TEST_CASE(\"nothing is well\") { CHECK(false); }\n"}};
+      for (const auto& [name, text] : lazy) {
+        const fs::path file = folder.path() / (std::string("lazy_") + name + ".cpp");
+        writeFile(file, text);
+        tries.push_back({.source = file, .lazy = {}, .fingerprint = false});
+      }
     } else {
       for (const char* mode : {"zero", "one", "echo"})
         tries.push_back({.source = {}, .lazy = mode, .fingerprint = false});
@@ -255,7 +268,7 @@ class Prover {
 
   void solution() {
     bool all = true;
-    if (!e_.isPrediction()) {
+    if (!e_.isPrediction() && !e_.isTest()) {
       const auto library =
           check({.source = {}, .lazy = {}, .libraryVersion = true, .fingerprint = false});
       if (library.status != Status::passed) {
@@ -279,7 +292,7 @@ class Prover {
         }
         if (result.compiled.warnings)
           problem("the solution compiles with warnings:\n" + result.compiled.full);
-        if (e_.isPrediction() || !pipe) break;  // other seeds once
+        if (e_.isPrediction() || e_.isTest() || !pipe) break;  // other seeds once
       }
     }
     proof_.row["solution_passes"] = all;
@@ -310,6 +323,7 @@ class Prover {
       if (std::find(files.begin(), files.end(), file) == files.end())
         problem("wrong/" + w.name + e_.extension + " is missing");
     }
+    if (e_.isTest()) return weakCases(files);
     const std::string fresh = fingerprints(project_, e_, bench_);
     const auto kept = readIfThere(project_.root / fingerprintFile(e_));
     const json freshAll = json::parse(fresh);
@@ -357,9 +371,49 @@ class Prover {
     proof_.row["wrong_named"] = named;
   }
 
+  // Kind test: the wrong answers are cases that let something through. Each scored check is lost by one of them, so
+  // that none is earned by whatever cases; what got through is then said in words.
+  void weakCases(const std::vector<fs::path>& files) {
+    int caught = 0;
+    int named = 0;
+    const auto kept = readIfThere(project_.root / versionsFile(e_));
+    if (kept.value_or("") != packed(authoredVersions(project_, e_)))
+      problem(versionsFile(e_).string() + " is out of date: run ./course dev sync");
+    for (const auto& file : files) {
+      const std::string name = file.stem().string();
+      const auto known = std::find_if(e_.wrong.begin(), e_.wrong.end(),
+                                      [&](const Wrong& w) { return w.name == name; });
+      if (known == e_.wrong.end()) {
+        problem("wrong/" + file.filename().string() + " has no section [wrong." + name + "]");
+        continue;
+      }
+      const auto result = check({.source = file, .throughPipe = true, .lazy = {}});
+      for (const auto& c : result.checks) {
+        const bool own = c.name == known->check;
+        if (own && c.status == Status::wrong) {
+          ++caught;
+          named += !c.reason.empty();
+        } else if (own) {
+          problem("wrong/" + name + " does not fail its check '" + known->check +
+                  "': " + firstReason(result));
+        } else if (c.status != Status::passed && known->check != kPassesOnRight) {
+          problem("wrong/" + name + " also fails check '" + c.name + "': " + c.reason);
+        }
+      }
+    }
+    for (const auto& c : e_.checks) {
+      const auto loses = [&](const Wrong& w) { return w.check == c.name; };
+      if (c.points > 0 && std::none_of(e_.wrong.begin(), e_.wrong.end(), loses))
+        problem("no cases in wrong/ let the version of check '" + c.name + "' through");
+    }
+    proof_.row["wrong"] = files.size();
+    proof_.row["wrong_caught"] = caught;
+    proof_.row["wrong_named"] = named;
+  }
+
   // `play` is worth something only if the program really runs on the student's function.
   void program() {
-    if (e_.program.empty() || e_.isPrediction()) return;
+    if (e_.program.empty() || e_.isPrediction() || e_.isTest()) return;
     const auto all = project_.manifest.at("programs");
     if (!all.contains(e_.program)) {
       problem("the program " + e_.program + " does not exist");
@@ -367,7 +421,7 @@ class Prover {
     }
     const WorkFolder folder(project_);
     auto outputWith = [&](const fs::path& source) {
-      const auto& compiled = bench_.version(source, true).compiled;
+      const auto& compiled = bench_.version(source, false).compiled;
       if (!compiled.ok)
         throw Failure{ourFault, source.string() + " does not compile: " + compiled.firstError};
       const fs::path program =
@@ -416,11 +470,12 @@ std::vector<std::string> syncExercises(const Project& project,
                 << " has been worked on and is left alone (--force replaces it)\n";
     }
     Workbench bench(project);
-    const std::string fresh = fingerprints(project, *e, bench);
-    const fs::path file = project.root / fingerprintFile(*e);
-    if (readIfThere(file).value_or("") != fresh) {
-      writeFile(file, fresh);
-      written.push_back(fingerprintFile(*e).string());
+    const std::string fresh =
+        e->isTest() ? packed(authoredVersions(project, *e)) : fingerprints(project, *e, bench);
+    const fs::path file = e->isTest() ? versionsFile(*e) : fingerprintFile(*e);
+    if (readIfThere(project.root / file).value_or("") != fresh) {
+      writeFile(project.root / file, fresh);
+      written.push_back(file.string());
     }
   }
   return written;

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <set>
 
+#include "runner/skeleton.hpp"
+
 namespace carom::runner {
 
 namespace {
@@ -12,8 +14,9 @@ namespace {
 const std::set<std::string> kKinds = {"implement", "fix", "predict", "test", "measure", "explore"};
 const std::set<std::string> kKeys = {"id",       "title",   "kind", "level", "minutes",
                                      "points",   "layer",   "home", "read",  "without",
-                                     "geometry", "program", "uses", "order"};
+                                     "geometry", "program", "uses", "order", "tests"};
 const std::set<std::string> kCheckKeys = {"title", "points", "wrong", "read"};
+const std::set<std::string> kTestCheckKeys = {"title", "points", "read", "catches", "slipped"};
 const std::set<std::string> kWrongKeys = {"says", "read", "check"};
 
 struct Ini {
@@ -61,7 +64,9 @@ Exercise readExercise(const fs::path& folder, std::vector<std::string>& problems
   Exercise e;
   e.folder = folder;
   e.name = folder.filename().string();
-  e.chapter = folder.parent_path().filename().string();
+  // solutions/<chapter>/<name>, or on a student branch exercises/<chapter>/given/<name>.
+  const fs::path above = folder.parent_path();
+  e.chapter = (above.filename() == "given" ? above.parent_path() : above).filename().string();
   Ini in{.file = (e.chapter + "/" + e.name + "/exercise.ini"), .problems = problems};
   if (in.ini.LoadFile((folder / "exercise.ini").c_str()) < 0) {
     problems.push_back(in.file + ": cannot be read");
@@ -82,6 +87,14 @@ Exercise readExercise(const fs::path& folder, std::vector<std::string>& problems
   e.read = in.text("", "read", true);
   e.program = in.text("", "program", false);
   e.uses = words(in.text("", "uses", false));
+  e.tests = in.text("", "tests", e.isTest());
+  if (e.isTest()) {
+    e.checks.push_back({kPassesOnRight, "passes on every right version", 0, "", e.read});
+    e.checks.push_back(
+        {kEveryCaseAsks, "every case calls the function and asserts something", 0, "", e.read});
+  } else if (!e.tests.empty()) {
+    problems.push_back(in.file + ": 'tests' is for exercises of the kind test");
+  }
   if (!e.id.empty() && e.id != e.chapter.substr(0, 2) + "." + e.name) {
     problems.push_back(in.file + ": the id should be " + e.chapter.substr(0, 2) + "." + e.name);
   }
@@ -97,9 +110,14 @@ Exercise readExercise(const fs::path& folder, std::vector<std::string>& problems
     const std::string rest = dot == std::string::npos ? "" : name.substr(dot + 1);
     if (name.empty()) continue;
     if (what == "check") {
-      in.onlyKeys(name, kCheckKeys);
-      Check check{rest, in.text(name, "title", true), in.number(name, "points", 0, 100),
-                  in.text(name, "wrong", false), in.text(name, "read", false)};
+      in.onlyKeys(name, e.isTest() ? kTestCheckKeys : kCheckKeys);
+      Check check{rest,
+                  in.text(name, "title", true),
+                  in.number(name, "points", 0, 100),
+                  in.text(name, "wrong", false),
+                  in.text(name, "read", false),
+                  in.text(name, "catches", e.isTest()),
+                  in.text(name, "slipped", e.isTest())};
       if (check.read.empty()) check.read = e.read;
       sum += check.points;
       e.checks.push_back(check);
@@ -139,19 +157,35 @@ Exercise readExercise(const fs::path& folder, std::vector<std::string>& problems
   return e;
 }
 
+std::vector<fs::path> exerciseFolders(const fs::path& root) {
+  std::vector<fs::path> folders;
+  std::error_code none;
+  for (const char* top : {"solutions", "exercises"}) {
+    for (const auto& chapter : fs::directory_iterator(root / top, none)) {
+      const fs::path above =
+          top == std::string("solutions") ? chapter.path() : chapter.path() / "given";
+      for (const auto& folder : fs::directory_iterator(above, none)) {
+        if (fs::exists(folder.path() / "exercise.ini")) folders.push_back(folder.path());
+      }
+    }
+  }
+  return folders;
+}
+
+std::optional<std::string> skeletonOf(const Exercise& exercise) {
+  if (const auto answer = readIfThere(exercise.folder / exercise.fileName()))
+    return cutSkeleton(*answer, exercise.fileName());
+  return readIfThere(exercise.folder / ("skeleton" + exercise.extension));
+}
+
 std::vector<Exercise> readExercises(const fs::path& root, std::vector<std::string>& problems) {
   std::vector<std::pair<std::tuple<std::string, int, int, std::string>, Exercise>> found;
-  std::error_code none;
-  for (const auto& chapter : fs::directory_iterator(root / "solutions", none)) {
-    if (!chapter.is_directory()) continue;
-    for (const auto& folder : fs::directory_iterator(chapter.path())) {
-      if (!fs::exists(folder.path() / "exercise.ini")) continue;
-      Exercise e = readExercise(folder.path(), problems);
-      CSimpleIniA ini(true, false, false);
-      ini.LoadFile((folder.path() / "exercise.ini").c_str());
-      const int order = static_cast<int>(ini.GetLongValue("", "order", 1000));
-      found.emplace_back(std::make_tuple(e.chapter, order, e.level, e.name), std::move(e));
-    }
+  for (const auto& folder : exerciseFolders(root)) {
+    Exercise e = readExercise(folder, problems);
+    CSimpleIniA ini(true, false, false);
+    ini.LoadFile((folder / "exercise.ini").c_str());
+    const int order = static_cast<int>(ini.GetLongValue("", "order", 1000));
+    found.emplace_back(std::make_tuple(e.chapter, order, e.level, e.name), std::move(e));
   }
   std::sort(found.begin(), found.end(),
             [](const auto& a, const auto& b) { return a.first < b.first; });

@@ -1,6 +1,7 @@
 #pragma once
 // What an exercise is: the facts of its exercise.ini, and where its files are.
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,10 +13,17 @@ namespace carom::runner {
 struct Check {
   std::string name;
   std::string title;
-  double points = 0;  ///< 0: a guard, which must hold but earns nothing
-  std::string wrong;  ///< the misconception that it finds, if one
-  std::string read;   ///< section of the chapter to read
+  double points = 0;         ///< 0: a guard, which must hold but earns nothing
+  std::string wrong;         ///< the misconception that it finds, if one
+  std::string read;          ///< section of the chapter to read
+  std::string catches = "";  ///< kind test: the wrong version on which some case must fail
+  std::string slipped =
+      "";  ///< kind test: what kind of mistake gets past cases that do not catch it
 };
+
+/// The two checks that every exercise of the kind test has by itself; both must hold and earn nothing.
+inline constexpr const char* kPassesOnRight = "passes_on_right";
+inline constexpr const char* kEveryCaseAsks = "every_case_asks";
 
 /// A catalogued misconception: wrong/<name>.cpp holds the version that has it.
 struct Wrong {
@@ -36,13 +44,14 @@ struct Exercise {
   std::string name;     ///< file name: hamilton_product
   std::string layer;
   std::string home;     ///< folder that holds the library's version
+  std::string tests;    ///< kind test: the exercise whose function the cases are about
   std::string program;  ///< chapter/program that shows the function at work
   std::string read;     ///< section of the chapter page
   std::vector<std::string> uses;
   std::vector<std::string> hints;
   std::vector<Check> checks;
   std::vector<Wrong> wrong;
-  fs::path folder;        ///< solutions/<chapter>/<name>
+  fs::path folder;        ///< one of exerciseFolders()
   std::string extension;  ///< .cpp, or .txt for a prediction
 
   std::string fileName() const {
@@ -58,13 +67,24 @@ struct Exercise {
   bool isPrediction() const {
     return kind == "predict";
   }
+  /// Does the student write test cases?
+  bool isTest() const {
+    return kind == "test";
+  }
 };
 
 /// Reads one exercise.ini. Problems (a missing key, an unknown one, a number that is none) are added to
 /// `problems`, each beginning with the file's name.
 Exercise readExercise(const fs::path& folder, std::vector<std::string>& problems);
 
-/// All exercises below root/solutions, in teaching order (by chapter, then as `order` in the file says, then by
+/// The folders of all exercises: solutions/<chapter>/<name>, where they are authored, and in a student's copy of the
+/// course exercises/<chapter>/given/<name>, which holds the facts, the statement and the skeleton.
+std::vector<fs::path> exerciseFolders(const fs::path& root);
+
+/// What the student's file was before anything was written: cut from the answer, or as it is kept where there is none.
+std::optional<std::string> skeletonOf(const Exercise& exercise);
+
+/// All exercises of exerciseFolders(), in teaching order (by chapter, then as `order` in the file says, then by
 /// level and name).
 std::vector<Exercise> readExercises(const fs::path& root, std::vector<std::string>& problems);
 

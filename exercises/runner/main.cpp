@@ -419,7 +419,9 @@ int main(int argc, char** argv) {
   app.add_option("--root", o.root)->group("");
   app.add_option("--build", o.build)->group("");
   app.add_flag("--json", o.json, "Answer in JSON");
-  app.add_flag("--plain", o.plain, "No colour (so it is already where there is no terminal)");
+  app.add_flag("--plain", o.plain,
+               "Words instead of colours, columns and symbols, for screen readers and programs (so it "
+               "is already where there is no terminal)");
   app.fallthrough();
 
   auto* startVerb =
@@ -482,7 +484,8 @@ int main(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? static_cast<int>(Exit::pass) : static_cast<int>(Exit::usage);
   }
-  const View view{.colour = !o.plain && !o.json && isatty(1) && !std::getenv("NO_COLOR")};
+  const bool plain = o.plain || !isatty(1);
+  const View view{.colour = !plain && !o.json && !std::getenv("NO_COLOR"), .plain = plain};
   try {
     Project project =
         openProject(o.root.empty() ? fs::current_path() : fs::path(o.root),

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "grading/sandbox.hpp"
 #include "runner/manifest.hpp"
 
 namespace carom::runner {
@@ -19,7 +20,8 @@ struct Screening {
 };
 
 /// Looks at the source text for what leaves no trace in the object file.
-void screenSource(std::string_view source, Screening& result);
+/// \param isTest test cases may include what they are written with
+void screenSource(std::string_view source, Screening& result, bool isTest = false);
 
 /// Looks at the files that the compiler read for a submission: its own, the course's headers, the system's.
 /// \param included as the compiler lists them, see Compiled::included
@@ -30,12 +32,15 @@ void screenIncludes(const Project& project, const Exercise& exercise,
 
 /// Looks at the symbols that the object defines and needs.
 /// \param project the compiler's tools
+/// \param exercise what is asked: a function, or test cases
 /// \param object the compiled submission
 /// \param library the library's own version of the function: what it defines is what a submission must define
 /// \param stage the library that the answer may use
 /// \param result collects what is found
-void screenObject(const Project& project, const fs::path& object, const fs::path& library,
-                  const fs::path& stage, Screening& result);
+/// \param sandbox what confines the reader of the submission's symbols
+void screenObject(const Project& project, const Exercise& exercise, const fs::path& object,
+                  const fs::path& library, const fs::path& stage, Screening& result,
+                  const grading::Sandbox* sandbox = nullptr);
 
 /// A symbol's readable name, or the symbol itself.
 std::string demangled(const std::string& symbol);

@@ -1,7 +1,5 @@
 #include "runner/state.hpp"
 
-#include "runner/skeleton.hpp"
-
 namespace carom::runner {
 
 using nlohmann::json;
@@ -71,8 +69,7 @@ void State::save() const {
 
 bool isSkeleton(const Project& project, const Exercise& exercise) {
   const auto content = readIfThere(project.root / exercise.studentFile());
-  const auto source = readIfThere(exercise.folder / exercise.fileName());
-  return content && source && *content == cutSkeleton(*source, exercise.fileName());
+  return content && content == skeletonOf(exercise);
 }
 
 }  // namespace carom::runner

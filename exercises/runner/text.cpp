@@ -1,5 +1,6 @@
 #include "runner/text.hpp"
 
+#include <algorithm>
 #include <cstdint>
 #include <cstdio>
 #include <fstream>
@@ -72,6 +73,94 @@ std::string wrapped(std::string_view text, std::size_t width, std::string_view i
     line += word;
   }
   return result + line;
+}
+
+std::string spoken(std::string_view text) {
+  struct Sign {
+    std::string_view sign, words;
+  };
+  static constexpr Sign raised[] = {{"⁰", "0"}, {"¹", "1"}, {"²", "2"}, {"³", "3"},
+                                    {"⁴", "4"}, {"⁵", "5"}, {"⁶", "6"}, {"⁷", "7"},
+                                    {"⁸", "8"}, {"⁹", "9"}, {"⁻", "-"}, {"ᵀ", "T"}};
+  static constexpr Sign other[] = {{"×", "x"},
+                                   {"·", " "},
+                                   {"−", "-"},
+                                   {"–", "-"},
+                                   {"—", "-"},
+                                   {"±", "+-"},
+                                   {"≤", "<="},
+                                   {"≥", ">="},
+                                   {"≠", "!="},
+                                   {"≈", "about "},
+                                   {"√", "sqrt "},
+                                   {"∞", "infinity"},
+                                   {"∫", "integral of "},
+                                   {"∑", "sum of "},
+                                   {"°", " degrees"},
+                                   {"½", "1/2"},
+                                   {"¼", "1/4"},
+                                   {"→", "->"},
+                                   {"…", "..."},
+                                   {"‘", "'"},
+                                   {"’", "'"},
+                                   {"“", "\""},
+                                   {"”", "\""},
+                                   {"π", "pi"},
+                                   {"ω", "omega"},
+                                   {"μ", "mu"},
+                                   {"µ", "mu"},
+                                   {"θ", "theta"},
+                                   {"φ", "phi"},
+                                   {"α", "alpha"},
+                                   {"β", "beta"},
+                                   {"ε", "epsilon"},
+                                   {"λ", "lambda"},
+                                   {"τ", "tau"},
+                                   {"Δ", "delta "},
+                                   {"✓", "passed"},
+                                   {"✗", "failed"},
+                                   {"ä", "ae"},
+                                   {"ö", "oe"},
+                                   {"ü", "ue"},
+                                   {"ß", "ss"},
+                                   {"é", "e"},
+                                   {"è", "e"},
+                                   {"ê", "e"},
+                                   {"ë", "e"},
+                                   {"ï", "i"},
+                                   {"á", "a"},
+                                   {"à", "a"},
+                                   {"ç", "c"},
+                                   {"ñ", "n"},
+                                   {"ô", "o"},
+                                   {"ó", "o"},
+                                   {"\u00a0", " "}};
+  std::string result;
+  bool up = false;
+  while (!text.empty()) {
+    const auto is = [&](const Sign& s) { return text.starts_with(s.sign); };
+    if (static_cast<unsigned char>(text[0]) < 0x80) {
+      result += text[0];
+      text.remove_prefix(1);
+      up = false;
+    } else if (const auto power = std::find_if(std::begin(raised), std::end(raised), is);
+               power != std::end(raised)) {
+      result += std::string(up ? "" : "^") + std::string(power->words);
+      text.remove_prefix(power->sign.size());
+      up = true;
+    } else {
+      const auto known = std::find_if(std::begin(other), std::end(other), is);
+      result += known != std::end(other) ? known->words : "?";
+      std::size_t size = known != std::end(other) ? known->sign.size() : 1;
+      // The rest of a character that is not known.
+      while (known == std::end(other) && size < text.size() &&
+             (static_cast<unsigned char>(text[size]) & 0xc0) == 0x80)
+        ++size;
+      text.remove_prefix(size);
+      up = false;
+    }
+  }
+  return result;
 }
 
 std::string hashOf(std::string_view text) {

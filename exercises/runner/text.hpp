@@ -32,6 +32,8 @@ std::string trimmed(std::string_view text);
 std::vector<std::string> words(std::string_view text);
 /// Breaks a paragraph into lines of at most `width` characters, each beginning with `indent`.
 std::string wrapped(std::string_view text, std::size_t width, std::string_view indent);
+/// The same in ASCII, in words that a screen reader reads as they are meant: m^2 for m², omega for its letter.
+std::string spoken(std::string_view text);
 /// FNV-1a, as hexadecimal text: tells whether a file has changed since.
 std::string hashOf(std::string_view text);
 

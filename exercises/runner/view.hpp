@@ -1,5 +1,8 @@
 #pragma once
-// What the runner shows: on a terminal in colour, elsewhere plain.
+// What the runner shows: on a terminal in colour and in columns; elsewhere, and for who listens to it, plain.
+//
+// Plain output is for screen readers, Braille lines and programs: ASCII, no colour, no table, no symbol in place of a
+// word; a statement a line, and each verdict's line says on its own which exercise and check it is about.
 
 #include "runner/state.hpp"
 
@@ -7,6 +10,7 @@ namespace carom::runner {
 
 struct View {
   bool colour = false;
+  bool plain = false;
   std::string good(const std::string& text) const;
   std::string bad(const std::string& text) const;
   std::string dim(const std::string& text) const;

@@ -7,8 +7,9 @@
 #include <chrono>
 #include <csignal>
 #include <iostream>
+#include <optional>
 
-#include "runner/skeleton.hpp"
+#include "runner/file_watch.hpp"
 
 namespace carom::runner {
 
@@ -35,20 +36,6 @@ class RawKeys {
   bool active_ = false;
 };
 
-struct Stamp {
-  fs::file_time_type time{};
-  std::uintmax_t size = 0;
-  bool operator==(const Stamp&) const = default;
-};
-
-Stamp stampOf(const fs::path& file) {
-  std::error_code none;
-  Stamp stamp;
-  stamp.time = fs::last_write_time(file, none);
-  stamp.size = fs::file_size(file, none);
-  return stamp;
-}
-
 }  // namespace
 
 const Exercise* nextExercise(const Project& project, const State& state) {
@@ -67,22 +54,10 @@ std::string hintText(const Exercise& exercise, int number) {
 
 std::string resetExercise(const Project& project, const Exercise& exercise) {
   const fs::path file = project.root / exercise.studentFile();
-  const auto source = readIfThere(exercise.folder / exercise.fileName());
-  std::string skeleton;
-  if (source) {
-    skeleton = cutSkeleton(*source, exercise.fileName());
-  } else {
-    // A student's copy of the course has no solutions: the skeleton is what was committed.
-    grading::Command git;
-    git.words = {"git", "-C", project.root.string(), "show",
-                 "HEAD:" + exercise.studentFile().string()};
-    const auto done = grading::run(git);
-    if (!done.ok())
-      throw Failure{ourFault, "the skeleton is neither in solutions/ nor in the last commit"};
-    skeleton = done.output;
-  }
+  const auto skeleton = skeletonOf(exercise);
+  if (!skeleton) throw Failure{ourFault, "there is no skeleton of " + exercise.id};
   std::string backup;
-  if (const auto content = readIfThere(file); content && *content != skeleton) {
+  if (const auto content = readIfThere(file); content && *content != *skeleton) {
     const auto now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
     char stamp[32];
     std::tm local{};
@@ -97,7 +72,7 @@ std::string resetExercise(const Project& project, const Exercise& exercise) {
     writeFile(copy, *content);
     backup = fs::relative(copy, project.root).string();
   }
-  writeFile(file, skeleton);
+  writeFile(file, *skeleton);
   return backup;
 }
 
@@ -111,14 +86,23 @@ int watch(Project& project, const Exercise* exercise, const View& view) {
   std::signal(SIGINT, [](int) { interrupted = 1; });
   const RawKeys keys;
   int exitCode = Exit::pass;
-  Stamp seen;
+  std::optional<FileWatch> saved;
   bool again = true;
   bool input = true;
   buildTargets(project, {project.entry(*exercise).at("target").get<std::string>()}, true);
   while (!interrupted) {
-    const fs::path file = project.root / exercise->studentFile();
-    if (const Stamp now = stampOf(file); again || !(now == seen)) {
-      seen = now;
+    using Clock = FileWatch::Clock;
+    const auto begin = Clock::now();
+    const auto content = readIfThere(project.root / exercise->studentFile());
+    const auto now = Clock::now();
+    if (again) saved.emplace(content, now);
+    const auto seen =
+        saved->look(content, now, std::chrono::duration_cast<FileWatch::Milliseconds>(now - begin));
+    if (seen == FileWatch::Seen::gone) {
+      std::cout << exercise->studentFile().string() << " is gone: x brings the skeleton back\n"
+                << std::flush;
+    }
+    if (again || seen == FileWatch::Seen::changed) {
       again = false;
       if (view.colour) std::cout << "\033[2J\033[H";
       std::cout << "checking " << exercise->id << " ...\n" << std::flush;
@@ -135,16 +119,24 @@ int watch(Project& project, const Exercise* exercise, const View& view) {
       }
       int done = 0;
       for (const auto& e : project.exercises) done += state.statusOf(project, e) == Status::passed;
-      std::cout << "[" << done << "/" << project.exercises.size()
-                << "]  n next  h hint  s show  l list  x reset  r check again  q quit\n"
-                << std::flush;
+      if (view.plain) {
+        std::cout
+            << done << " of " << project.exercises.size() << " exercises are done.\n"
+            << "Keys: n for next, h for hint, s for show, l for list, x for reset, r to check "
+               "again, q to quit.\n";
+      } else {
+        std::cout << "[" << done << "/" << project.exercises.size()
+                  << "]  n next  h hint  s show  l list  x reset  r check again  q quit\n";
+      }
+      std::cout << std::flush;
     }
     pollfd fd{0, POLLIN, 0};
+    const int wait = static_cast<int>(saved->wait(now).count());
     if (!input) {
-      usleep(250000);
+      usleep(static_cast<useconds_t>(1000 * wait));
       continue;
     }
-    if (poll(&fd, 1, 250) <= 0) continue;
+    if (poll(&fd, 1, wait) <= 0) continue;
     char key = 0;
     if (read(0, &key, 1) <= 0) {
       // End of input: without a terminal there is nobody to press q, so stop here.

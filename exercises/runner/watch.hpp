@@ -5,8 +5,8 @@
 
 namespace carom::runner {
 
-/// Watches until q, end of input or Ctrl-C. Looks at time and size of one file four times a second: that works on
-/// every file system, which notification does not. Never jumps to another exercise by itself.
+/// Watches until q, end of input or Ctrl-C, by reading the file again and again (file_watch.hpp). Never jumps to
+/// another exercise by itself.
 int watch(Project& project, const Exercise* exercise, const View& view);
 
 /// The first exercise that has not been passed, or nothing.

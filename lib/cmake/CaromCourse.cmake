@@ -21,6 +21,7 @@ function(carom_program)
   endforeach()
   # The program's own code is an object library, so that `course play` can link it with other functions.
   add_library(${target}_objects OBJECT ${arg_NAME}.cpp ${arg_SOURCES})
+  carom_reads_eigen(${target}_objects)
   target_link_libraries(${target}_objects PRIVATE carom_own_flags ${layers} carom::io)
   add_executable(${target} $<TARGET_OBJECTS:${target}_objects> ${seam_objects})
   target_link_libraries(${target} PRIVATE carom_own_flags ${layers} carom::io)
@@ -77,23 +78,37 @@ endfunction()
 #   grader_<x>  the trusted program: the tests, linked with a proxy that asks through the pipe
 #   <x>_child   what a submission is linked with to answer the pipe
 #   stage_<x>   the library that an answer may use: the layers below, and its own layer without the answer
+#
+# Where the student writes test cases (kind test), grader_<x> is only a name for what a check needs: the cases are
+# linked with the proxy of the function they are about, and its versions are children.
 function(carom_exercise folder)
   set(ini ${folder}/exercise.ini)
   set_property(DIRECTORY ${PROJECT_SOURCE_DIR} APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${ini})
   get_filename_component(name ${folder} NAME)
   get_filename_component(chapter_folder ${folder} DIRECTORY)
   get_filename_component(chapter ${chapter_folder} NAME)
-  foreach(key id kind layer home without geometry)
+  foreach(key id kind layer home without geometry tests)
     carom_ini(${ini} ${key} ${key})
   endforeach()
   string(REPLACE " " ";" without "${without}")
   set(x ${chapter}_${name})
   set(graders ${PROJECT_SOURCE_DIR}/tests/graders/${chapter})
   set(test_source ${graders}/${name}_test.cpp)
+  set(seam ${name})
   set(seam_source ${graders}/${name}_seam.cpp)
   # An exercise that is still being written must not stop the build of all others; `dev check` complains of it.
   if(kind STREQUAL "predict")
     set(required ${test_source})
+  elseif(kind STREQUAL "test")
+    # The function that the cases are about is the seam of another exercise, 03.sat_boxes.
+    string(REGEX REPLACE "^.*\\." "" seam "${tests}")
+    string(SUBSTRING "${tests}__" 0 2 tested_chapter)
+    file(GLOB seam_source ${PROJECT_SOURCE_DIR}/tests/graders/${tested_chapter}_*/${seam}_seam.cpp)
+    if(NOT seam_source)
+      message(WARNING "exercise ${id} is left out: 'tests = ${tests}' names no exercise with a function")
+      return()
+    endif()
+    set(required ${PROJECT_SOURCE_DIR}/${home}/${seam}.cpp)
   else()
     set(required ${test_source} ${seam_source} ${PROJECT_SOURCE_DIR}/${home}/${name}.cpp)
   endif()
@@ -104,8 +119,8 @@ function(carom_exercise folder)
     endif()
   endforeach()
   string(REGEX REPLACE ".*/" "" group "${home}")
-  if(NOT kind STREQUAL "predict" AND NOT TARGET carom_seam_${group}_${name})
-    message(WARNING "exercise ${id} is left out: ${home} declares no seam ${name}")
+  if(NOT kind STREQUAL "predict" AND NOT TARGET carom_seam_${group}_${seam})
+    message(WARNING "exercise ${id} is left out: ${home} declares no seam ${seam}")
     return()
   endif()
 
@@ -127,7 +142,9 @@ function(carom_exercise folder)
     target_precompile_headers(${target} REUSE_FROM ${pch})
   endfunction()
 
-  carom_exercise_object(${x}_test ${test_source} carom_test_pch)
+  if(NOT kind STREQUAL "test")
+    carom_exercise_object(${x}_test ${test_source} carom_test_pch)
+  endif()
   if(kind STREQUAL "predict")
     add_executable(grader_${x} EXCLUDE_FROM_ALL $<TARGET_OBJECTS:${x}_test> $<TARGET_OBJECTS:carom_grading>
                    $<TARGET_OBJECTS:carom_catch_main>)
@@ -144,28 +161,40 @@ function(carom_exercise folder)
     set(stage_objects $<TARGET_OBJECTS:carom_variant_library>)
     foreach(used IN LISTS closure ITEMS ${layer})
       if(TARGET carom_${used})
-        carom_layer_objects(${used} "${name};${without}" objects)
+        carom_layer_objects(${used} "${seam};${without}" objects)
         list(APPEND stage_objects ${objects})
       endif()
     endforeach()
     add_library(stage_${x} STATIC EXCLUDE_FROM_ALL ${stage_objects})
     set_target_properties(stage_${x} PROPERTIES LINKER_LANGUAGE CXX)
 
-    add_executable(grader_${x} EXCLUDE_FROM_ALL $<TARGET_OBJECTS:${x}_test> $<TARGET_OBJECTS:${x}_proxy>
-                   $<TARGET_OBJECTS:carom_grading> $<TARGET_OBJECTS:carom_catch_main>)
-    target_link_libraries(grader_${x} PRIVATE carom_own_flags carom_catch stage_${x})
+    if(kind STREQUAL "test")
+      add_custom_target(grader_${x} DEPENDS carom_tester carom_catch_main ${x}_proxy carom_course_test_pch)
+      set(own_entry "
+      \"proxy_objects\": [\"$<JOIN:$<TARGET_OBJECTS:${x}_proxy>,\",\">\"]")
+      set(trusted "")
+    else()
+      add_executable(grader_${x} EXCLUDE_FROM_ALL $<TARGET_OBJECTS:${x}_test> $<TARGET_OBJECTS:${x}_proxy>
+                     $<TARGET_OBJECTS:carom_grading> $<TARGET_OBJECTS:carom_catch_main>)
+      target_link_libraries(grader_${x} PRIVATE carom_own_flags carom_catch stage_${x})
+      set(own_entry "
+      \"test_objects\": [\"$<JOIN:$<TARGET_OBJECTS:${x}_test>,\",\">\"]")
+      set(trusted $<TARGET_FILE:grader_${x}>)
+    endif()
     add_dependencies(graders grader_${x})
 
-    add_dependencies(grader_${x} ${x}_child carom_serve carom_seam_${group}_${name} stage_${x} carom_course_pch)
-    set(entry_extra ",
-      \"test_objects\": [\"$<JOIN:$<TARGET_OBJECTS:${x}_test>,\",\">\"],
+    add_dependencies(grader_${x} ${x}_child carom_serve carom_seam_${group}_${seam} stage_${x} carom_course_pch)
+    set(entry_extra ",${own_entry},
       \"child_objects\": [\"$<JOIN:$<TARGET_OBJECTS:${x}_child>,\",\">\"],
-      \"library_object\": \"$<TARGET_OBJECTS:carom_seam_${group}_${name}>\",
+      \"library_object\": \"$<TARGET_OBJECTS:carom_seam_${group}_${seam}>\",
       \"stage\": \"$<TARGET_FILE:stage_${x}>\"")
     # The student's file in compile_commands.json, so that editors understand it. Never part of the default build.
     if(EXISTS ${PROJECT_SOURCE_DIR}/exercises/${chapter}/${name}.cpp)
       add_library(exercise_${x} OBJECT EXCLUDE_FROM_ALL ${PROJECT_SOURCE_DIR}/exercises/${chapter}/${name}.cpp)
       target_link_libraries(exercise_${x} PRIVATE carom_flags)
+      if(kind STREQUAL "test")
+        target_link_libraries(exercise_${x} PRIVATE carom_catch)
+      endif()
       target_include_directories(exercise_${x} PRIVATE ${PROJECT_SOURCE_DIR}/lib ${PROJECT_SOURCE_DIR}/${home})
     endif()
   endif()
@@ -180,7 +209,7 @@ function(carom_exercise folder)
   set_property(GLOBAL APPEND_STRING PROPERTY CAROM_MANIFEST_EXERCISES "
     \"${id}\": {
       \"target\": \"grader_${x}\",
-      \"trusted\": \"$<TARGET_FILE:grader_${x}>\",
+      \"trusted\": \"${trusted}\",
       \"home\": \"${PROJECT_SOURCE_DIR}/${home}\",
       \"no_geometry\": ${no_geometry}${entry_extra}
     },")
@@ -189,7 +218,7 @@ endfunction()
 # How a submission is compiled, beside the exported flags: optimised a little, with the library's own range checks on.
 # A precompiled header of what nearly every answer includes takes a compilation from a second to a tenth.
 function(carom_submission_flags)
-  set(base -std=c++20)
+  set(base -std=c++20 ${CAROM_LINKER})
   if(CMAKE_CXX_FLAGS)
     separate_arguments(more NATIVE_COMMAND "${CMAKE_CXX_FLAGS}")
     list(APPEND base ${more})
@@ -201,8 +230,10 @@ function(carom_submission_flags)
   if(CMAKE_CXX_COMPILER_ID MATCHES Clang)
     set(compile_limits -ftemplate-depth=512 -fconstexpr-steps=4000000)
   endif()
-  set(header ${PROJECT_BINARY_DIR}/course_pch/course.hpp)
-  file(GENERATE OUTPUT ${header} CONTENT "// Included in front of every submission.
+  # carom_course_header(<target> <file> <flags> <more text>): a header in front of every submission of a kind.
+  function(carom_course_header target file flags more)
+    set(header ${PROJECT_BINARY_DIR}/course_pch/${file})
+    file(GENERATE OUTPUT ${header} CONTENT "// Included in front of every submission.
 #include <array>
 #include <cmath>
 #include <functional>
@@ -211,17 +242,30 @@ function(carom_submission_flags)
 #include <vector>
 
 #include \"carom/core/real.hpp\"
-")
-  add_custom_command(OUTPUT ${header}.gch
-    COMMAND ${CMAKE_CXX_COMPILER} ${base} $<TARGET_PROPERTY:carom_flags,INTERFACE_COMPILE_OPTIONS>
-      "-D$<JOIN:$<TARGET_PROPERTY:carom_flags,INTERFACE_COMPILE_DEFINITIONS>,;-D>" ${code} -I${PROJECT_SOURCE_DIR}/lib
-      -isystem "$<JOIN:$<TARGET_PROPERTY:Eigen3::Eigen,INTERFACE_INCLUDE_DIRECTORIES>,;-isystem;>"
-      -x c++-header ${header} -o ${header}.gch
-    DEPENDS ${header} ${PROJECT_SOURCE_DIR}/lib/carom/core/real.hpp
-    COMMENT "Precompiling what answers include" COMMAND_EXPAND_LISTS VERBATIM)
-  add_custom_target(carom_course_pch DEPENDS ${header}.gch)
-  set_property(GLOBAL PROPERTY CAROM_SUBMISSION_FLAGS ${code} ${compile_limits} -include ${header} -Wall -Wextra -Wno-ignored-attributes
-               -Wno-unused-parameter -fdiagnostics-color=never)
+${more}")
+    add_custom_command(OUTPUT ${header}.gch
+      COMMAND ${CMAKE_CXX_COMPILER} ${base} $<TARGET_PROPERTY:carom_flags,INTERFACE_COMPILE_OPTIONS>
+        "-D$<JOIN:$<TARGET_PROPERTY:carom_flags,INTERFACE_COMPILE_DEFINITIONS>,;-D>" ${code} ${flags}
+        -I${PROJECT_SOURCE_DIR}/lib
+        -isystem "$<JOIN:$<TARGET_PROPERTY:Eigen3::Eigen,INTERFACE_INCLUDE_DIRECTORIES>,;-isystem;>"
+        -x c++-header ${header} -o ${header}.gch
+      DEPENDS ${header} ${PROJECT_SOURCE_DIR}/lib/carom/core/real.hpp ${ARGN}
+      COMMENT "Precompiling what answers include" COMMAND_EXPAND_LISTS VERBATIM)
+    add_custom_target(${target} DEPENDS ${header}.gch)
+    set(flags ${code} ${flags} ${compile_limits} -include ${header} -Wall -Wextra -Wno-ignored-attributes
+        -Wno-unused-parameter -fdiagnostics-color=never)
+    set_property(GLOBAL PROPERTY ${target} ${flags})
+  endfunction()
+  carom_course_header(carom_course_pch course.hpp "" "")
+  # Test cases are written with what the project's own are written with. Catch2 may lie in /usr/include, which must
+  # stay behind the compiler's own folders.
+  set(catch_header ${PROJECT_SOURCE_DIR}/tests/support/catch.hpp)
+  set(test_flags -I${PROJECT_SOURCE_DIR}/tests -DCAROM_CATCH_MAJOR=${Catch2_VERSION_MAJOR})
+  get_target_property(catch_folders Catch2::Catch2 INTERFACE_INCLUDE_DIRECTORIES)
+  foreach(folder IN LISTS catch_folders)
+    list(APPEND test_flags -idirafter ${folder})
+  endforeach()
+  carom_course_header(carom_course_test_pch course_test.hpp "${test_flags}" "#include \"${catch_header}\"\n" ${catch_header})
 endfunction()
 
 # The manifest: one JSON file that says how this build compiles and links. Written when CMake generates.
@@ -284,9 +328,11 @@ function(carom_write_manifest)
   if(TARGET carom_cli)
     set(cli $<TARGET_FILE:carom_cli>)
   endif()
-  get_property(submission_flags GLOBAL PROPERTY CAROM_SUBMISSION_FLAGS)
+  get_property(submission_flags GLOBAL PROPERTY carom_course_pch)
+  get_property(test_flags GLOBAL PROPERTY carom_course_test_pch)
   get_property(all_flags GLOBAL PROPERTY CAROM_BASE_FLAGS)
   string(REPLACE ";" "\",\"" submission_flags "${submission_flags}")
+  string(REPLACE ";" "\",\"" test_flags "${test_flags}")
   string(REPLACE ";" "\",\"" all_flags "${all_flags}")
   file(GENERATE OUTPUT ${PROJECT_BINARY_DIR}/course.json CONTENT "{
   \"version\": 1,
@@ -296,6 +342,8 @@ function(carom_write_manifest)
   \"cmake\": \"${CMAKE_COMMAND}\",
   \"flags\": [\"${all_flags}\",\"$<JOIN:$<TARGET_PROPERTY:carom_flags,INTERFACE_COMPILE_OPTIONS>,\",\">\"],
   \"submission_flags\": [\"-D$<JOIN:$<TARGET_PROPERTY:carom_flags,INTERFACE_COMPILE_DEFINITIONS>,\",\"-D>\",\"${submission_flags}\"],
+  \"test_submission_flags\": [\"-D$<JOIN:$<TARGET_PROPERTY:carom_flags,INTERFACE_COMPILE_DEFINITIONS>,\",\"-D>\",\"${test_flags}\"],
+  \"edition\": \"${PROJECT_VERSION}\",
   \"versions\": {\"Eigen\": \"${Eigen3_VERSION}\", \"Catch2\": \"${Catch2_VERSION}\",
     \"nlohmann-json\": \"${nlohmann_json_VERSION}\"},
   \"includes\": [\"${PROJECT_SOURCE_DIR}/lib\"],
@@ -303,6 +351,7 @@ function(carom_write_manifest)
   \"no_geometry_include\": \"${PROJECT_SOURCE_DIR}/tests/grading/no_geometry\",
   \"grading_objects\": [\"$<JOIN:$<TARGET_OBJECTS:carom_grading>,\",\">\",\"$<TARGET_OBJECTS:carom_catch_main>\"],
   \"serve_objects\": [\"$<JOIN:$<TARGET_OBJECTS:carom_serve>,\",\">\"],
+  \"tester_objects\": [\"$<JOIN:$<TARGET_OBJECTS:carom_tester>,\",\">\",\"$<TARGET_OBJECTS:carom_catch_main>\"],
   \"catch_libraries\": [${catch_library}],
   \"variant_library\": \"$<TARGET_OBJECTS:carom_variant_library>\",
   \"variant_mine\": \"$<TARGET_OBJECTS:carom_variant_mine>\",

@@ -3,15 +3,12 @@
 // The function that the cases call is not in this program: calls go out on file descriptor 4 and answers come back
 // on 3, from a process that holds one version of it. So the very same program meets every version, right and wrong,
 // and nothing in its memory, arguments or environment says which one it is talking to: it can only ask. What became
-// of each case goes out on 5.
+// of each case goes out on 6.
 
-#include <poll.h>
 #include <unistd.h>
 
 #include <cerrno>
-#include <chrono>
 #include <csignal>
-#include <cstdlib>
 #include <nlohmann/json.hpp>
 
 #if CAROM_CATCH_MAJOR < 3
@@ -40,16 +37,12 @@ bool notAttempted = false;
 
 void report(const json& event) {
   const std::string text = event.dump(-1, ' ', false, json::error_handler_t::replace) + "\n";
-  if (write(5, text.data(), text.size()) < 0) return;  // nobody reads: nothing is lost
+  if (write(6, text.data(), text.size()) < 0) return;  // nobody reads: nothing is lost
 }
 
-// The client's end: asks, and waits no longer than a function may take.
+// The client's end. A version that does not answer is ended by its own limits, and the pipe with it.
 class Function : public Channel {
  public:
-  Function() {
-    const char* seconds = std::getenv("CAROM_WALL_S");
-    wallSeconds_ = seconds ? std::atoi(seconds) : 3;
-  }
   void send(const std::string& bytes) override {
     ++calls;
     const auto size = static_cast<std::uint32_t>(bytes.size());
@@ -62,7 +55,6 @@ class Function : public Channel {
     }
   }
   std::string receive() override {
-    deadline_ = Clock::now() + std::chrono::seconds(wallSeconds_);
     std::uint32_t size = 0;
     readAll(reinterpret_cast<char*>(&size), sizeof size);
     std::string bytes(size, '\0');
@@ -71,25 +63,15 @@ class Function : public Channel {
   }
 
  private:
-  using Clock = std::chrono::steady_clock;
-
   void readAll(char* data, std::size_t size) {
     while (size > 0) {
-      const auto left =
-          std::chrono::duration_cast<std::chrono::milliseconds>(deadline_ - Clock::now()).count();
-      pollfd watched{3, POLLIN, 0};
-      if (left <= 0) throw SubmissionStopped("the function did not answer in time");
-      if (poll(&watched, 1, static_cast<int>(left)) <= 0) continue;
       const ssize_t got = read(3, data, size);
       if (got < 0 && errno == EINTR) continue;
-      if (got <= 0) throw SubmissionStopped("the function crashed instead of answering");
+      if (got <= 0) throw SubmissionStopped("the function crashed or never ended");
       data += got;
       size -= static_cast<std::size_t>(got);
     }
   }
-
-  int wallSeconds_ = 3;
-  Clock::time_point deadline_{};
 };
 
 #if CAROM_CATCH_MAJOR >= 3
@@ -144,6 +126,8 @@ class Listener : public ListenerBase {
   int failures_ = 0;
 };
 
+CATCH_REGISTER_LISTENER(Listener)
+
 const bool hooked = [] {
   // A function that has crashed is told in words; the write that finds out must not end the program.
   std::signal(SIGPIPE, SIG_IGN);
@@ -155,14 +139,16 @@ const bool hooked = [] {
 
 }  // namespace
 
+std::optional<Lazy> lazyMode() {
+  return std::nullopt;
+}
+
 Channel& submission() {
   static Function function;
   return function;
 }
 
 }  // namespace carom::grading
-
-CATCH_REGISTER_LISTENER(carom::grading::Listener)
 
 CATCH_TRANSLATE_EXCEPTION(const carom::NotAttempted& e) {
   carom::grading::notAttempted = true;
