@@ -11,6 +11,7 @@
 #include <set>
 #include <thread>
 
+#include "grading/sandbox.hpp"
 #include "runner/check.hpp"
 #include "runner/intake.hpp"
 #include "runner/reports.hpp"
@@ -160,8 +161,9 @@ std::string statusOf(const json& checks) {
 
 class Grader {
  public:
-  Grader(const Project& project, const fs::path& staging, const std::vector<std::string>& checks)
-      : project_(project), neutral_(project, staging), checks_(checks) {}
+  Grader(const Project& project, const fs::path& staging, const grading::Sandbox& sandbox,
+         const std::vector<std::string>& checks)
+      : project_(project), neutral_(project, staging), sandbox_(sandbox), checks_(checks) {}
 
   // One file, for every student who handed in these bytes.
   // \return a result per seed
@@ -186,7 +188,8 @@ class Grader {
   // Does the course's own answer pass here? If not, nothing can be said of anybody's.
   // \return empty, or what is wrong
   std::string canary(const Exercise& exercise, const fs::path& folder) const {
-    CheckOptions options{.source = {}, .throughPipe = true, .lazy = {}, .fingerprint = false};
+    CheckOptions options{
+        .source = {}, .throughPipe = true, .lazy = {}, .fingerprint = false, .sandbox = &sandbox_};
     const auto solution = readIfThere(exercise.folder / exercise.fileName());
     const fs::path file = folder / exercise.fileName();
     if (solution) {
@@ -231,6 +234,7 @@ class Grader {
                           .checks = std::move(order),
                           .patience = kPatience,
                           .askAll = true,
+                          .sandbox = &sandbox_,
                           .bench = &bench});
   }
 
@@ -301,6 +305,7 @@ class Grader {
 
   const Project& project_;
   Neutral neutral_;
+  const grading::Sandbox& sandbox_;
   std::vector<std::string> checks_;
 };
 
@@ -394,7 +399,13 @@ int gradeAll(const Project& project, const Course& course, const GradeOptions& o
     if (submissions.empty())
       throw Failure{usage, "there is no submission of '" + options.only + "'"};
   }
-  const std::string sandbox = "limits";
+  const grading::Sandbox best = grading::bestSandbox();
+  if (best.tier == grading::Tier::limits && !options.trust) {
+    throw Failure{usage, "No sandbox can be had here: " + best.why +
+                             ". Install bubblewrap, or, if you vouch for what was handed in, add "
+                             "--trust-submissions."};
+  }
+  const std::string sandbox = nameOf(best.tier);
   const json classRecord = courseRecord(project, course, which, sandbox, today);
   const std::string version = classRecord["version"];
 
@@ -462,7 +473,7 @@ int gradeAll(const Project& project, const Course& course, const GradeOptions& o
   std::size_t finished = 0;
   std::string lost;
   const auto work = [&] {
-    Grader grader(project, staging.path(), wanted.checks);
+    Grader grader(project, staging.path(), best, wanted.checks);
     for (std::size_t u = next++; u < units.size(); u = next++) {
       const Unit& unit = units[u];
       const Exercise& e = *unit.exercise;
@@ -580,7 +591,7 @@ int gradeAll(const Project& project, const Course& course, const GradeOptions& o
   std::cout << all.students.size() << (all.students.size() == 1 ? " student, " : " students, ")
             << which.size() << (which.size() == 1 ? " exercise; " : " exercises; ") << look
             << " to look at, see " << (options.out / "class.html").string() << "\n"
-            << "submissions ran in: " << sandbox << "\n";
+            << "submissions ran in: " << grading::describe(best) << "\n";
   if (course.secret.empty()) {
     std::cout << "The course has no secret, so anybody can work out the inputs of a student.\n";
   }

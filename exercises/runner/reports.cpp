@@ -89,7 +89,7 @@ std::string withUnit(const std::string& text, const std::string& unit) {
 std::string fullFailure(const json& check) {
   std::string text;
   if (const auto reason = textOf(check, "reason"); !reason.empty())
-    text += told("", trimmed(reason));
+    text += clipped(oneLine(trimmed(reason)), 400) + "\n";
   const auto failure = check.find("failure");
   if (failure == check.end() || !failure->is_object()) return text;
   const auto unit = textOf(*failure, "unit");
