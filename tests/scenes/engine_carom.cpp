@@ -1,0 +1,107 @@
+// Carom.
+
+#include <memory>
+#include <vector>
+
+#include "carom/world/world.hpp"
+#include "scenes/engines.hpp"
+
+namespace carom::scenes {
+namespace {
+
+class CaromEngine : public Engine {
+ public:
+  explicit CaromEngine(const world::WorldSettings& settings) : settings_(settings) {}
+
+  void build(const Scene& scene) override {
+    settings_.gravity = scene.gravity;
+    settings_.sleeping = settings_.sleeping && scene.sleeps;
+    settings_.restitutionRule = RestitutionRule::product;
+    world_ = std::make_unique<world::World>(settings_);
+    for (const Body& body : scene.bodies) ids_.push_back(world_->add(described(scene, body)));
+    for (std::size_t i = 0; i < ids_.size(); ++i) {
+      const Vector3& force = scene.bodies[i].force;
+      if (force != Vector3::Zero()) world_->setForce(ids_[i], force);
+    }
+  }
+
+  void step(Real dt) override {
+    world_->step(dt);
+  }
+
+  State state(int body) const override {
+    const world::BodyId id = ids_[static_cast<std::size_t>(body)];
+    return {world_->centre(id), world_->orientation(id), world_->velocity(id),
+            world_->angularVelocity(id)};
+  }
+
+  std::vector<Figure> counters() const override {
+    const world::Counters& c = world_->counters();
+    const auto figure = [](const char* name, std::int64_t value) {
+      return Figure{name, static_cast<Real>(value)};
+    };
+    return {figure("bodies awake", c.bodiesAwake),     figure("bodies asleep", c.bodiesAsleep),
+            figure("bodies free", c.bodiesFree),       figure("islands awake", c.islandsAwake),
+            figure("pairs tested", c.pairsTested),     figure("pairs awake", c.pairsAwake),
+            figure("manifolds made", c.manifoldsMade), figure("axes searches", c.axesSearches),
+            figure("contact points", c.contactPoints), figure("normal rows", c.normalRows),
+            figure("friction rows", c.frictionRows),   figure("rows solved", c.rowsSolved),
+            figure("first contacts", c.firstContacts), figure("impacts", c.impacts),
+            figure("slip changes", c.slipChanges),     figure("exact rotations", c.exactRotations),
+            figure("projections", c.projections)};
+  }
+
+ private:
+  static world::BodyDescription described(const Scene& scene, const Body& body) {
+    world::BodyDescription description;
+    description.kind = body.moves ? world::BodyKind::dynamic : world::BodyKind::immovable;
+    description.position = body.start.position;
+    description.orientation = body.start.orientation;
+    description.velocity = body.start.velocity;
+    description.angularVelocity = body.start.angularVelocity;
+    world::ShapeDescription shape;
+    shape.shape = body.shape;
+    // The geometric mean of the squares is the product of what the scene says.
+    shape.material = {body.friction * body.friction, body.restitution};
+    if (scene.strangers && body.moves) shape.filter.family = 1;
+    description.shapes = {shape};
+    if (body.moves) {
+      MassProperties mass;
+      mass.mass = body.mass;
+      mass.volume = 1;
+      mass.inertia = body.moments.asDiagonal();
+      description.mass = mass;
+    }
+    return description;
+  }
+
+  world::WorldSettings settings_;
+  std::unique_ptr<world::World> world_;
+  std::vector<world::BodyId> ids_;
+};
+
+EngineKind kindOf(const std::string& name, const std::string& words,
+                  const world::WorldSettings& settings, bool best) {
+  return {name,
+          "this build",
+          words,
+          [](const Scene&) { return true; },
+          [best](const Scene&) { return best; },
+          [settings] { return std::make_unique<CaromEngine>(settings); }};
+}
+
+}  // namespace
+
+std::vector<EngineKind> caromEngines() {
+  world::WorldSettings noEvents;
+  noEvents.locateEvents = false;
+  world::WorldSettings skipsNothing;
+  skipsNothing.sleeping = false;
+  skipsNothing.pairFinding = world::PairFinding::allPairs;
+  return {kindOf("carom", "as it comes; sleeping only where the scene lets bodies sleep", {}, true),
+          kindOf("carom no events", "impacts and ends of slipping are not located inside the step",
+                 noEvents, false),
+          kindOf("carom skips nothing", "all pairs, nothing sleeps", skipsNothing, false)};
+}
+
+}  // namespace carom::scenes

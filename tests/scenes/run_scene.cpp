@@ -1,0 +1,114 @@
+#include "scenes/run_scene.hpp"
+
+#include <time.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace carom::scenes {
+namespace {
+
+constexpr Real kLongEnough = 1;  // of processor time: its clock may tick in steps of 10 ms [s]
+constexpr long kBlocks = 100;    // of a repeated run, so that reading a clock costs little
+
+Real secondsOf(clockid_t clock) {
+  timespec now{};
+  clock_gettime(clock, &now);
+  return static_cast<Real>(now.tv_sec) + 1e-9 * static_cast<Real>(now.tv_nsec);
+}
+
+Real processorSeconds() {
+  return secondsOf(CLOCK_PROCESS_CPUTIME_ID);
+}
+
+void readStates(const Engine& engine, std::vector<State>& states) {
+  for (std::size_t i = 0; i < states.size(); ++i) states[i] = engine.state(static_cast<int>(i));
+}
+
+bool allFinite(const std::vector<State>& states) {
+  return std::all_of(states.begin(), states.end(), [](const State& s) {
+    const Quaternion& q = s.orientation;
+    return s.position.allFinite() && s.velocity.allFinite() && s.angularVelocity.allFinite() &&
+           std::isfinite(q.w + q.x + q.y + q.z);
+  });
+}
+
+// How a scene is divided into steps.
+struct Division {
+  long steps, untimed, block;
+};
+
+Division divide(const Scene& scene, Real dt) {
+  const auto count = [dt](Real time) { return std::lround(time / dt); };
+  return {count(scene.duration), count(scene.untimed), std::max(1L, count(scene.lookEvery))};
+}
+
+Real medianOf(std::vector<Real> values) {
+  if (values.empty()) return 0;
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+}  // namespace
+
+Run runScene(const EngineKind& kind, const Scene& scene, Real dt, int repeats) {
+  const Division division = divide(scene, dt);
+  Run run;
+  std::vector<State> states = startOf(scene);
+  const std::unique_ptr<Judge> judge = scene.judge(scene);
+  const std::unique_ptr<Engine> engine = kind.make();
+  engine->build(scene);
+  judge->see(0, states);
+  std::vector<Real> blocks;
+  for (long done = 0; done < division.steps;) {
+    long now = std::min(division.block, division.steps - done);
+    if (done < division.untimed) now = std::min(now, division.untimed - done);
+    const Real before = processorSeconds();
+    for (long i = 0; i < now; ++i) engine->step(dt);
+    const Real took = processorSeconds() - before;
+    if (done >= division.untimed) {
+      blocks.push_back(took / static_cast<Real>(now));
+      run.seconds += took;
+      run.steps += now;
+    }
+    done += now;
+    readStates(*engine, states);
+    if (!allFinite(states)) {
+      run.finite = false;
+      break;
+    }
+    judge->see(static_cast<Real>(done) * dt, states);
+  }
+  run.medianStep = medianOf(blocks);
+  run.simulated = static_cast<Real>(run.steps) * dt;
+  run.figures = judge->figures();
+  run.counters = engine->counters();
+  run.hash = hashOf(scene, states);
+  if (!run.finite || repeats == 0 || run.seconds > kLongEnough) return run;
+
+  const long timed = division.steps - division.untimed;
+  const long block = std::max(1L, timed / kBlocks);
+  std::vector<std::vector<Real>> times;  // of each block, in each repeat
+  for (int repeat = 0; repeat < repeats; ++repeat) {
+    const std::unique_ptr<Engine> again = kind.make();
+    again->build(scene);
+    for (long i = 0; i < division.untimed; ++i) again->step(dt);
+    std::size_t number = 0;
+    for (long done = 0; done < timed; done += block) {
+      const long now = std::min(block, timed - done);
+      const Real before = secondsOf(CLOCK_MONOTONIC);
+      for (long i = 0; i < now; ++i) again->step(dt);
+      if (number == times.size()) times.emplace_back();
+      times[number++].push_back(secondsOf(CLOCK_MONOTONIC) - before);
+    }
+    readStates(*again, states);
+    run.repeats = run.repeats && hashOf(scene, states) == run.hash;
+  }
+  run.seconds = 0;
+  for (const std::vector<Real>& ofBlock : times) run.seconds += medianOf(ofBlock);
+  run.medianStep = run.seconds / static_cast<Real>(run.steps);
+  return run;
+}
+
+}  // namespace carom::scenes

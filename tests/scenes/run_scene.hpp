@@ -1,0 +1,34 @@
+#pragma once
+// Lets an engine run a scene: what does it cost, and how wrong is the result?
+//
+// Processor time is taken around blocks of steps between two looks of the judge, so what the judge
+// does is not counted. Its clock may tick as coarsely as 10 ms; where the whole run takes less than
+// a second, the scene is run again without a judge, as often as asked. Of each hundredth of the run
+// the median of those runs counts, by the clock on the wall: so what other programs take of a run
+// drops out. The final state must be the same to the last bit, so time and error belong to the same
+// motion.
+
+#include "scenes/scene.hpp"
+
+namespace carom::scenes {
+
+/// What came of a run.
+struct Run {
+  std::vector<Figure> figures;   ///< of the judge
+  std::vector<Figure> counters;  ///< of the engine
+  Real seconds = 0;              ///< of processor time, in the part that is timed [s]
+  Real simulated = 0;            ///< in the same part [s]
+  Real medianStep = 0;           ///< processor time of a step, median of the blocks [s]
+  long steps = 0;                ///< in the same part
+  bool finite = true;            ///< whether all states were numbers
+  bool repeats = true;           ///< whether every run ended in the same state
+  std::uint64_t hash = 0;        ///< of the final state
+};
+
+/// Runs a scene.
+/// \param kind which engine \param scene what \param dt length of a step [s]
+/// \param repeats runs without a judge, of which the median counts, if one takes less than a second;
+/// 0: time the judged run
+Run runScene(const EngineKind& kind, const Scene& scene, Real dt, int repeats = 0);
+
+}  // namespace carom::scenes
