@@ -1,10 +1,12 @@
 // What does a submission gain that does not answer the question?
 //
-// Each file in submissions/ is handed in for 01.hamilton_product three times: as a student's self-check, through the
-// pipe as when graded, and through the pipe without the screen, because the pipe alone must be enough. None earns more
-// than the skeleton does, each ends within its limits, and the self-check says of each what it is.
+// Each file in submissions/ is handed in for 01.hamilton_product three times: as a student's self-check, as when graded
+// (confined, through the pipe), and through the pipe alone, without a sandbox. The graded ones go without the screen,
+// because what is behind it must be enough. None earns more than the skeleton does, each ends within its limits, and
+// the self-check says of each what it is.
 
 #include <chrono>
+#include <cstdlib>
 #include <filesystem>
 #include <set>
 #include <string>
@@ -18,9 +20,9 @@ using namespace carom::runner;
 
 namespace {
 
-// What the pipe does not judge: an answer that is right because somebody else's code computes it. There the screen is
-// the defence, and without it the points are earned.
-enum Alone { gainsNothing, isRight };
+// What the pipe does not judge: an answer that is right because somebody else's code computes it, or because a file
+// can be read. There the screen is the defence, and the sandbox where the file is not for submissions.
+enum Alone { gainsNothing, rightInTheOpen, isRight };
 
 struct Attack {
   const char* file;
@@ -46,6 +48,9 @@ const std::vector<Attack> kEnding = {
     {"throws_invalid_input", "wrong", "an exception: no"},
     {"throws_in_initialiser", "stopped", "aborted itself"},
     {"claims_not_started", "not started", "not started"},
+    {"thread_constructor", "stopped", "aborted itself"},
+    {"terminate_handler", "stopped", "before the check was over"},
+    {"dumps_core", "refused", "It calls setrlimit"},
 };
 
 const std::vector<Attack> kReaching = {
@@ -71,6 +76,17 @@ const std::vector<Attack> kReaching = {
     {"replaces_memory_compare", "refused", "It defines the C symbol 'memcmp'"},
 };
 
+// Names and sections that the linker or the loader treats in their own way.
+const std::vector<Attack> kSymbols = {
+    {"weak_reference", "refused", "'alias', 'weak' and the like"},
+    {"alias_of_memcmp", "refused", "'alias', 'weak' and the like"},
+    {"indirect_function", "refused", "'alias', 'weak' and the like"},
+    {"section_of_starters", "refused", "attributes 'section'"},
+    {"section_of_starters_spelled", "refused", "attributes 'section'"},
+    {"versioned_symbol", "refused", "assembly code"},
+    {"pretends_link_time_code", "refused", "assembly code"},
+};
+
 // Submissions that answer rightly, but only where they can do what they must not be able to.
 const std::vector<Attack> kAbilities = {
     {"writes_beside_the_grader", "refused", "It calls open", gainsNothing, true},
@@ -85,6 +101,25 @@ const std::vector<Attack> kAbilities = {
     {"announces_four_gigabytes", "refused", "It calls write"},
     {"noise_on_the_pipe", "refused", "It calls write"},
     {"closes_the_pipe", "refused", "It calls close"},
+    {"leaves_a_thread", "refused", "It calls pthread_create", gainsNothing, true},
+    {"writes_into_the_grader", "refused", "It calls process_vm_writev", gainsNothing, true},
+    {"takes_open_files_of_the_grader", "refused", "It calls syscall", gainsNothing, true},
+    {"leaves_shared_memory", "refused", "It calls shmget", gainsNothing, true},
+    {"makes_files_in_memory", "refused", "It calls memfd_create", gainsNothing, true},
+    {"makes_namespaces", "refused", "It calls unshare"},
+    {"plants_a_link", "refused", "It calls symlink", gainsNothing, true},
+    {"asks_the_kernel_by_ring", "refused", "It calls syscall"},
+    {"loads_a_library", "refused", "It calls execve"},
+    {"calls_the_old_gate", "refused", "assembly code"},
+};
+
+// Submissions that answer rightly where they see the machine that they run on.
+const std::vector<Attack> kReading = {
+    {"reads_files_of_the_machine", "refused", "It calls open", rightInTheOpen},
+    {"reads_the_solution", "refused", "It calls open", rightInTheOpen},
+    {"reads_other_processes", "refused", "It calls open", rightInTheOpen},
+    {"knows_the_machine", "refused", "It calls uname", rightInTheOpen},
+    {"knows_its_number", "refused", "It calls getpid", rightInTheOpen},
 };
 
 const std::vector<Attack> kLimits = {
@@ -100,6 +135,8 @@ const std::vector<Attack> kLimits = {
     {"crashes", "stopped", "crashed"},
     {"divides_by_zero", "stopped", "divided by zero"},
     {"ignores_signals", "refused", "It calls signal"},
+    {"exhausts_descriptors", "refused", "It calls open"},
+    {"large_zeros", "stopped", "before the check was over"},
 };
 
 const std::vector<Attack> kCompiling = {
@@ -110,16 +147,27 @@ const std::vector<Attack> kCompiling = {
     {"includes_host_name_spliced", "refused", "outside the course"},
     {"includes_host_name_digraph", "refused", "outside the course"},
     {"includes_grader", "refused", "the grader's own files"},
-    {"includes_library_source", "refused", "that is the answer itself", isRight},
-    {"includes_library_source_by_path", "refused", "that is the answer itself", isRight},
-    {"includes_solution", "refused", "outside the course", isRight},
-    {"includes_solution_by_macro", "refused", "whose name it computes", isRight},
+    {"includes_library_source", "refused", "that is the answer itself", rightInTheOpen},
+    {"includes_library_source_by_path", "refused", "that is the answer itself", rightInTheOpen},
+    {"includes_solution", "refused", "outside the course", rightInTheOpen},
+    {"includes_solution_by_macro", "refused", "whose name it computes", rightInTheOpen},
     {"includes_endless_file", "refused", "outside the course"},
     {"deep_templates", "does not compile", "template"},
     {"wide_templates", "does not compile", "asks too much"},
     {"constant_loop", "does not compile", "constant"},
     {"macro_bomb", "does not compile", "asks too much"},
     {"large_object", "does not compile", "error"},
+    {"asks_for_the_solution", "refused", "which files there are", rightInTheOpen},
+    {"asks_for_files_of_the_system", "refused", "which files there are", rightInTheOpen},
+    {"asks_by_pragma", "refused", "It asks for files", rightInTheOpen},
+    {"includes_classmate", "refused", "outside the course", rightInTheOpen},
+    {"incbin_of_the_machine", "refused", "assembly code", rightInTheOpen},
+    {"embeds_a_file", "refused", "outside the course"},
+    {"claims_another_file", "refused", "another file or line"},
+    {"includes_itself", "does not compile", "asks too much"},
+    {"floods_with_errors", "refused", "It pastes names together"},
+    {"assembler_repeats", "refused", "assembly code"},
+    {"asks_for_compiler_options", "wrong", "wrong"},
 };
 
 const std::vector<Attack> kAnswering = {
@@ -136,6 +184,9 @@ const std::vector<Attack> kAnswering = {
     {"counts_calls", "wrong", "wrong"},
     // Every scored check asks something that depends on the seed, so a table of the public numbers earns nothing.
     {"knows_public_numbers", "wrong", "wrong"},
+    {"depends_on_addresses", "wrong", "wrong"},
+    {"depends_on_time", "wrong", "wrong"},
+    {"right_the_first_time", "wrong", "wrong"},
 };
 
 const fs::path kSource = CAROM_SOURCE_DIR;
@@ -146,67 +197,79 @@ const Project& project() {
   return open;
 }
 
-enum class Way { selfCheck, pipe, pipeWithoutScreen, open };
+enum class Way { selfCheck, confined, pipe, open };
 
-ExerciseResult handIn(const fs::path& file, Way way, Workbench* bench = nullptr) {
+// Null where this machine has none that keeps files away; then the tests say so.
+const carom::grading::Sandbox* sandbox() {
+  static const auto best = carom::grading::bestSandbox();
+  return best.tier == carom::grading::Tier::limits ? nullptr : &best;
+}
+
+ExerciseResult handIn(const fs::path& file, Way way, bool screen, Workbench* bench = nullptr) {
   const Exercise& exercise = project().find("01.hamilton_product");
   return checkExercise(project(), exercise,
                        {.source = file,
-                        .throughPipe = way == Way::pipe || way == Way::pipeWithoutScreen,
+                        .throughPipe = way == Way::pipe || way == Way::confined,
                         .lazy = {},
                         .fingerprint = false,
-                        .screen = way == Way::selfCheck || way == Way::pipe,
+                        .screen = screen,
                         .seed = 20240229,
                         .answerSeconds = 1,
-                        .compileSeconds = 5,
+                        .compileSeconds = 4,
+                        .sandbox = way == Way::confined ? sandbox() : nullptr,
                         .bench = bench});
 }
 
-double pointsOfSkeleton(Way way) {
+double pointsOfSkeleton() {
   const Exercise& exercise = project().find("01.hamilton_product");
   const WorkFolder folder(project());
   const fs::path file = folder.path() / exercise.fileName();
   writeFile(file,
             cutSkeleton(readFile(exercise.folder / exercise.fileName()), exercise.fileName()));
-  return handIn(file, way).points();
+  return handIn(file, Way::pipe, false).points();
+}
+
+// Graded: it gains nothing, or is right where that is what is expected.
+void grade(const fs::path& file, Way way, bool right, double nothing, Workbench& bench) {
+  const auto begin = std::chrono::steady_clock::now();
+  const auto graded = handIn(file, way, false, &bench);
+  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
+  INFO((way == Way::pipe ? "through the pipe" : "confined"));
+  INFO(toJson(graded).dump(1));
+  CHECK(graded.status != Status::ourFault);
+  CHECK(took.count() < 60);
+  if (right) {
+    // Otherwise the file would be no attack, and the defence against it worth nothing.
+    CHECK(graded.status == Status::passed);
+  } else {
+    CHECK(graded.points() <= nothing);
+    CHECK(graded.status != Status::passed);
+  }
 }
 
 void handInAll(const std::vector<Attack>& attacks) {
-  const double nothing = pointsOfSkeleton(Way::pipeWithoutScreen);
+  if (!sandbox()) WARN("no sandbox here: " << describe(carom::grading::bestSandbox()));
+  const double nothing = pointsOfSkeleton();
   REQUIRE(nothing == 0);
   for (const auto& attack : attacks) {
     const fs::path file = kSubmissions / (std::string(attack.file) + ".cpp");
     INFO(attack.file);
 
-    // The compiler has its five seconds once, not once for each way.
-    Workbench bench(project());
-    const auto self = handIn(file, Way::selfCheck, &bench);
+    // Compiled once for all ways, or once inside and once outside where that makes the difference.
+    Workbench inside(project());
+    Workbench outside(project());
+    Workbench& bench = attack.alone == rightInTheOpen ? outside : inside;
+    if (sandbox()) grade(file, Way::confined, attack.alone == isRight, nothing, inside);
+    grade(file, Way::pipe, attack.alone != gainsNothing, nothing, bench);
+
+    const auto self = handIn(file, Way::selfCheck, true, &bench);
     const std::string text = toJson(self).dump(1);
-    {
-      INFO(text);
-      CHECK(std::string(nameOf(self.status)) == attack.status);
-      CHECK_THAT(text, carom_test::ContainsSubstring(attack.says));
-      CHECK(self.status != Status::passed);
-      CHECK(self.status != Status::ourFault);
-    }
-    for (const Way way : {Way::pipe, Way::pipeWithoutScreen}) {
-      // What the screen has refused it refuses again before the pipe matters.
-      if (way == Way::pipe && self.status == Status::refused) continue;
-      const auto begin = std::chrono::steady_clock::now();
-      const auto graded = handIn(file, way, &bench);
-      const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
-      INFO((way == Way::pipe ? "through the pipe" : "through the pipe, without the screen"));
-      INFO(toJson(graded).dump(1));
-      CHECK(graded.status != Status::ourFault);
-      CHECK(took.count() < 60);
-      if (way == Way::pipeWithoutScreen && attack.alone == isRight) {
-        // Otherwise the file would be no attack, and the screen's word about it worth nothing.
-        CHECK(graded.status == Status::passed);
-      } else {
-        CHECK(graded.points() <= nothing);
-        CHECK(graded.status != Status::passed);
-      }
-    }
+    INFO(text);
+    CHECK(std::string(nameOf(self.status)) == attack.status);
+    CHECK_THAT(text, carom_test::ContainsSubstring(attack.says));
+    // What the screen lets pass is graded as it was above.
+    if (self.status == Status::refused && sandbox())
+      CHECK(handIn(file, Way::confined, true, &inside).status != Status::passed);
   }
 }
 
@@ -220,6 +283,10 @@ TEST_CASE("who reaches for the report or the grader gains nothing") {
   handInAll(kReaching);
 }
 
+TEST_CASE("who plays with names and sections gains nothing") {
+  handInAll(kSymbols);
+}
+
 TEST_CASE("the process behind the pipe can do nothing but answer") {
   handInAll(kAbilities);
 }
@@ -229,10 +296,15 @@ TEST_CASE("where nothing fences them in, the same submissions can do it") {
   for (const auto& attack : kAbilities) {
     if (!attack.answersWhereItCan) continue;
     INFO(attack.file);
-    const auto result = handIn(kSubmissions / (std::string(attack.file) + ".cpp"), Way::open);
+    const auto result =
+        handIn(kSubmissions / (std::string(attack.file) + ".cpp"), Way::open, false);
     INFO(toJson(result).dump(1));
     CHECK(result.status == Status::passed);
   }
+}
+
+TEST_CASE("who reads the machine gains nothing where it is not to be seen") {
+  handInAll(kReading);
 }
 
 TEST_CASE("who computes, prints or allocates without end is stopped") {
@@ -247,27 +319,79 @@ TEST_CASE("who lets others answer, or answers without looking, gains nothing") {
   handInAll(kAnswering);
 }
 
+TEST_CASE("where CI says that there is a sandbox, there is one") {
+  WARN("submissions run in: " << describe(carom::grading::bestSandbox()));
+  if (std::getenv("CAROM_NEEDS_SANDBOX")) CHECK(sandbox());
+}
+
+TEST_CASE("a compiler's message quotes no file that the submission may not see") {
+  // A line of a file that only the course has, quoted because the submission says that it is that file.
+  const fs::path secret = kSource / "solutions/01_rotation/hamilton_product/exercise.ini";
+  const WorkFolder folder(project());
+  const fs::path file = folder.path() / "hamilton_product.cpp";
+  const std::string first = readFile(secret).substr(0, readFile(secret).find('\n'));
+  REQUIRE(first.size() > 5);
+  writeFile(file, "#line 1 \"" + secret.string() + "\"\nint taken = whatIsInTheFirstLine;\n");
+  const auto open = handIn(file, Way::pipe, false);
+  CHECK(open.status == Status::doesNotCompile);
+  CHECK_THAT(open.compiled.full, carom_test::ContainsSubstring(first));
+  if (!sandbox()) return;
+  const auto confined = handIn(file, Way::confined, false);
+  CHECK(confined.status == Status::doesNotCompile);
+  CHECK(confined.compiled.full.find(first) == std::string::npos);
+}
+
+#ifdef __SSE2__
+TEST_CASE("each call starts from the same arithmetic") {
+  // Right only where flags are down, rounding is to nearest and small numbers are kept; leaves none of it so.
+  const WorkFolder folder(project());
+  const fs::path file = folder.path() / "hamilton_product.cpp";
+  writeFile(file, R"(#include "carom/rotation/hamilton_product.hpp"
+#include <immintrin.h>
+#include <cfenv>
+namespace carom {
+Quaternion hamiltonProduct(const Quaternion& q, const Quaternion& r) {
+  unsigned short word = 0;
+  __asm__ volatile("fnstcw %0" : "=m"(word));
+  const bool clean = _mm_getcsr() == 0x1f80 && word == 0x37f && std::fegetround() == FE_TONEAREST;
+  const Quaternion right{
+      q.w * r.w - q.x * r.x - q.y * r.y - q.z * r.z, q.w * r.x + q.x * r.w + q.y * r.z - q.z * r.y,
+      q.w * r.y - q.x * r.z + q.y * r.w + q.z * r.x, q.w * r.z + q.x * r.y - q.y * r.x + q.z * r.w};
+  std::feraiseexcept(FE_ALL_EXCEPT);
+  word = 0xc7f;  // single precision, towards zero
+  __asm__ volatile("fldcw %0" : : "m"(word));
+  _mm_setcsr(_mm_getcsr() | 0x8040 | 0x4000);  // flush to zero, denormals are zero, round up
+  return clean ? right : Quaternion{0, 0, 0, 0};
+}
+}  // namespace carom
+)");
+  CHECK(handIn(file, Way::pipe, false).status == Status::passed);
+  // Nobody cleans up in the self-check, so this test could fail.
+  CHECK(handIn(file, Way::open, false).status != Status::passed);
+}
+#endif
+
 TEST_CASE("a file of a megabyte, or with a zero byte, is not even compiled") {
   const WorkFolder folder(project());
   const std::string right =
       readFile(project().root / "solutions/01_rotation/hamilton_product/right/01_vector_form.cpp");
   const fs::path file = folder.path() / "hamilton_product.cpp";
   writeFile(file, right + "//" + std::string(1 << 20, '-') + "\n");
-  const auto large = handIn(file, Way::pipe);
+  const auto large = handIn(file, Way::pipe, true);
   CHECK(large.status == Status::refused);
   CHECK_THAT(large.reason, carom_test::ContainsSubstring("larger than 256 kB"));
   writeFile(file, right + std::string(1, '\0'));
-  const auto zero = handIn(file, Way::pipe);
+  const auto zero = handIn(file, Way::pipe, true);
   CHECK(zero.status == Status::refused);
   CHECK_THAT(zero.reason, carom_test::ContainsSubstring("zero byte"));
   writeFile(file, right);
-  CHECK(handIn(file, Way::pipe).status == Status::passed);
+  CHECK(handIn(file, Way::pipe, true).status == Status::passed);
 }
 
 TEST_CASE("every file in submissions is in one of the tables") {
   std::set<std::string> listed;
-  for (const auto* table :
-       {&kEnding, &kReaching, &kAbilities, &kLimits, &kCompiling, &kAnswering}) {
+  for (const auto* table : {&kEnding, &kReaching, &kSymbols, &kAbilities, &kReading, &kLimits,
+                            &kCompiling, &kAnswering}) {
     for (const auto& attack : *table) CHECK(listed.insert(attack.file).second);
   }
   std::set<std::string> there;
