@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "runner/branch.hpp"
 #include "runner/course_file.hpp"
 #include "runner/grade_class.hpp"
 #include "runner/merge.hpp"
@@ -10,9 +11,12 @@ namespace carom::runner {
 
 struct TeachVerbs::Words {
   CLI::App* teach = nullptr;
+  CLI::App* branch = nullptr;
   CLI::App* grade = nullptr;
   CLI::App* regrade = nullptr;
   CLI::App* merge = nullptr;
+  BranchOptions branches;
+  bool noBuild = false;
   GradeOptions grading;
   std::string courseFile;
   std::vector<fs::path> folders;
@@ -33,6 +37,15 @@ TeachVerbs::TeachVerbs(CLI::App& app) : words_(std::make_unique<Words>()) {
     verb->add_flag("--trust-submissions", w.grading.trust,
                    "Grade even where no sandbox can be had");
   };
+  w.branch = w.teach->add_subcommand("branch", "Cut the branches for students and for solutions");
+  w.branch->add_option("--upto", w.branches.upto, "Last chapter (all)");
+  w.branch->add_option("--course", w.branches.courseFile,
+                       "The course file; without: all exercises");
+  w.branch->add_option("--today", w.branches.today, "The day for dates, as 2026-12-01 (today)");
+  w.branch->add_option("--student", w.branches.student, "Name of the students' branch (student)");
+  w.branch->add_option("--solved", w.branches.solved, "Name of the branch with answers (solved)");
+  w.branch->add_option("--out", w.branches.out, "Write to this bare repository instead");
+  w.branch->add_flag("--no-build", w.noBuild, "Prove that no answer is left, and try nothing");
   w.grade = w.teach->add_subcommand("grade", "Grade submissions and write the reports");
   w.grade->add_option("from", w.grading.from, "Folders of a class, submissions, archives, git")
       ->required();
@@ -53,6 +66,11 @@ bool TeachVerbs::asked() const {
 
 int TeachVerbs::run(const Project& project) const {
   const auto& w = *words_;
+  if (w.branch->parsed()) {
+    BranchOptions branches = w.branches;
+    branches.build = !w.noBuild;
+    return cutBranches(project, branches);
+  }
   if (w.merge->parsed()) return mergeReports(w.folders, w.grading.out);
   const Course course =
       w.courseFile.empty() ? defaultCourse(project) : readCourse(w.courseFile, project);

@@ -25,6 +25,7 @@ function(carom_program)
   target_link_libraries(${target}_objects PRIVATE carom_own_flags ${layers} carom::io)
   add_executable(${target} $<TARGET_OBJECTS:${target}_objects> ${seam_objects})
   target_link_libraries(${target} PRIVATE carom_own_flags ${layers} carom::io)
+  carom_tell_missing(${target})
   set_target_properties(${target} PROPERTIES
     OUTPUT_NAME ${arg_NAME} RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/programs/${arg_CHAPTER})
   set_property(GLOBAL APPEND PROPERTY CAROM_PROGRAMS ${arg_CHAPTER}/${arg_NAME})
@@ -85,7 +86,9 @@ function(carom_exercise folder)
   set(ini ${folder}/exercise.ini)
   set_property(DIRECTORY ${PROJECT_SOURCE_DIR} APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${ini})
   get_filename_component(name ${folder} NAME)
+  # solutions/<chapter>/<name>, or in a student's copy exercises/<chapter>/given/<name>.
   get_filename_component(chapter_folder ${folder} DIRECTORY)
+  string(REGEX REPLACE "/given$" "" chapter_folder ${chapter_folder})
   get_filename_component(chapter ${chapter_folder} NAME)
   foreach(key id kind layer home without geometry tests)
     carom_ini(${ini} ${key} ${key})
@@ -108,9 +111,9 @@ function(carom_exercise folder)
       message(WARNING "exercise ${id} is left out: 'tests = ${tests}' names no exercise with a function")
       return()
     endif()
-    set(required ${PROJECT_SOURCE_DIR}/${home}/${seam}.cpp)
+    set(required "")
   else()
-    set(required ${test_source} ${seam_source} ${PROJECT_SOURCE_DIR}/${home}/${name}.cpp)
+    set(required ${test_source} ${seam_source})
   endif()
   foreach(file IN LISTS required)
     if(NOT EXISTS ${file})
@@ -157,6 +160,11 @@ function(carom_exercise folder)
     carom_exercise_object(${x}_proxy ${seam_source} carom_seam_pch CAROM_SEAM_PROXY)
     carom_exercise_object(${x}_child ${seam_source} carom_seam_pch CAROM_SEAM_CHILD)
 
+    # What the answer has to define is known from the library's version, or where that is kept back from the skeleton.
+    set(library carom_seam_${group}_${seam})
+    if(TARGET carom_given_${group}_${seam})
+      set(library carom_given_${group}_${seam})
+    endif()
     # The stage: what the answer may stand on.
     set(stage_objects $<TARGET_OBJECTS:carom_variant_library>)
     foreach(used IN LISTS closure ITEMS ${layer})
@@ -183,10 +191,10 @@ function(carom_exercise folder)
     endif()
     add_dependencies(graders grader_${x})
 
-    add_dependencies(grader_${x} ${x}_child carom_serve carom_seam_${group}_${seam} stage_${x} carom_course_pch)
+    add_dependencies(grader_${x} ${x}_child carom_serve ${library} stage_${x} carom_course_pch)
     set(entry_extra ",${own_entry},
       \"child_objects\": [\"$<JOIN:$<TARGET_OBJECTS:${x}_child>,\",\">\"],
-      \"library_object\": \"$<TARGET_OBJECTS:carom_seam_${group}_${seam}>\",
+      \"library_object\": \"$<TARGET_OBJECTS:${library}>\",
       \"stage\": \"$<TARGET_FILE:stage_${x}>\"")
     # The student's file in compile_commands.json, so that editors understand it. Never part of the default build.
     if(EXISTS ${PROJECT_SOURCE_DIR}/exercises/${chapter}/${name}.cpp)
@@ -318,6 +326,15 @@ function(carom_write_manifest)
   endforeach()
   string(REGEX REPLACE ",$" "" layer_entries "${layer_entries}")
 
+  # In a student's copy every program stands on the student's functions, and can name one that is missing.
+  set(variant carom_variant_library)
+  set(missing "")
+  if(CAROM_STUDENT)
+    set(variant carom_variant_mine)
+  endif()
+  if(TARGET carom_missing)
+    set(missing ",\"$<TARGET_OBJECTS:carom_missing>\"")
+  endif()
   get_property(exercises GLOBAL PROPERTY CAROM_MANIFEST_EXERCISES)
   string(REGEX REPLACE ",$" "" exercises "${exercises}")
   set(catch_library "")
@@ -353,12 +370,12 @@ function(carom_write_manifest)
   \"serve_objects\": [\"$<JOIN:$<TARGET_OBJECTS:carom_serve>,\",\">\"],
   \"tester_objects\": [\"$<JOIN:$<TARGET_OBJECTS:carom_tester>,\",\">\",\"$<TARGET_OBJECTS:carom_catch_main>\"],
   \"catch_libraries\": [${catch_library}],
-  \"variant_library\": \"$<TARGET_OBJECTS:carom_variant_library>\",
+  \"variant_library\": \"$<TARGET_OBJECTS:${variant}>\",
   \"variant_mine\": \"$<TARGET_OBJECTS:carom_variant_mine>\",
   \"layers\": {${layer_entries}
   },
   \"io_library\": \"$<TARGET_FILE:carom_io>\",
-  \"io_links\": [\"-lz\"],
+  \"io_links\": [\"-lz\"${missing}],
   \"cli\": \"${cli}\",
   \"programs\": {${programs}
   },

@@ -15,14 +15,19 @@ namespace {
 
 constexpr Real kQuarter = 1.57079632679489661923;  // [rad]
 
-// Three elementary turns.
+// A turn about one of the coordinate axes, which leaves the other two in a plane.
+Matrix3 turnAbout(int axis, Real angle) {
+  const int from = (axis + 1) % 3;
+  const int to = (axis + 2) % 3;
+  Matrix3 turn = Matrix3::Identity();
+  turn(from, from) = turn(to, to) = std::cos(angle);
+  turn(to, from) = std::sin(angle);
+  turn(from, to) = -turn(to, from);
+  return turn;
+}
+
 Matrix3 matrixOf(const EulerAngles& angles) {
-  const Real a = angles.roll, b = angles.pitch, c = angles.yaw;
-  Matrix3 Rx, Ry, Rz;
-  Rx << 1, 0, 0, 0, std::cos(a), -std::sin(a), 0, std::sin(a), std::cos(a);
-  Ry << std::cos(b), 0, std::sin(b), 0, 1, 0, -std::sin(b), 0, std::cos(b);
-  Rz << std::cos(c), -std::sin(c), 0, std::sin(c), std::cos(c), 0, 0, 0, 1;
-  return Rz * Ry * Rx;
+  return turnAbout(2, angles.yaw) * turnAbout(1, angles.pitch) * turnAbout(0, angles.roll);
 }
 
 // Entries with 16 digits behind the point, as any computed rotation has them: near the lock that is
