@@ -133,8 +133,8 @@ WorkFolder::~WorkFolder() {
 }
 
 Compiled compileSubmission(const Project& project, const Exercise& exercise, const fs::path& source,
-                           const fs::path& folder, int cpuSeconds,
-                           const grading::Sandbox* sandbox) {
+                           const fs::path& folder, int cpuSeconds, const grading::Sandbox* sandbox,
+                           const std::vector<std::string>& moreFlags) {
   std::optional<OutFolder> out;
   if (sandbox) out.emplace(folder);
   const auto& entry = project.entry(exercise);
@@ -157,6 +157,7 @@ Compiled compileSubmission(const Project& project, const Exercise& exercise, con
   for (const auto& include : list(project.manifest.at("system_includes"))) {
     append(command.words, {"-isystem", include});
   }
+  append(command.words, moreFlags);
   Compiled result;
   result.object = folder / (exercise.name + ".o");
   fs::path depends = result.object;
@@ -242,6 +243,16 @@ fs::path linkTester(const Project& project, const Exercise& exercise, const fs::
   inputs.push_back(entry.at("stage").get<std::string>());
   append(inputs, list(project.manifest.at("catch_libraries")));
   return link(project, inputs, folder / "tester", sandbox);
+}
+
+fs::path linkCases(const Project& project, const Exercise& exercise, const fs::path& object,
+                   const fs::path& folder) {
+  const auto& entry = project.entry(exercise);
+  std::vector<std::string> inputs = {object.string(), entry.at("library_object").get<std::string>(),
+                                     list(project.manifest.at("grading_objects")).back(),
+                                     entry.at("stage").get<std::string>()};
+  append(inputs, list(project.manifest.at("catch_libraries")));
+  return link(project, inputs, folder / "cases");
 }
 
 fs::path linkProgram(const Project& project, const std::string& program,

@@ -39,7 +39,8 @@ struct Compiled {
 /// \param sandbox what confines the compiler; none: it can read all that we can
 Compiled compileSubmission(const Project& project, const Exercise& exercise, const fs::path& source,
                            const fs::path& folder, int cpuSeconds = 0,
-                           const grading::Sandbox* sandbox = nullptr);
+                           const grading::Sandbox* sandbox = nullptr,
+                           const std::vector<std::string>& moreFlags = {});
 
 /// Links the submission with the tests (self-check). \throws Failure (ourFault) when the link fails
 fs::path linkSelfCheck(const Project& project, const Exercise& exercise, const fs::path& object,
@@ -54,6 +55,10 @@ fs::path linkChild(const Project& project, const Exercise& exercise, const fs::p
 /// \throws Failure (ourFault) when the link fails
 fs::path linkTester(const Project& project, const Exercise& exercise, const fs::path& object,
                     const fs::path& folder, const grading::Sandbox* sandbox = nullptr);
+
+/// Links test cases with the library's version of the function in one program, for a debugger (kind test).
+fs::path linkCases(const Project& project, const Exercise& exercise, const fs::path& object,
+                   const fs::path& folder);
 
 /// Links a chapter's program with the submission's function in place of the library's.
 /// \param replaced objects by seam name

@@ -6,7 +6,9 @@
 #include <cstdlib>
 #include <iostream>
 
+#include "runner/debug.hpp"
 #include "runner/develop.hpp"
+#include "runner/pack.hpp"
 #include "runner/skeleton.hpp"
 #include "runner/teach.hpp"
 #include "runner/view.hpp"
@@ -32,6 +34,7 @@ struct Options {
   bool force = false;
   int number = 0;
   bool noScreen = false;
+  bool printOnly = false;
   std::uint64_t seed = 0;
   int answerSeconds = 0;
   int compileSeconds = 0;
@@ -246,6 +249,35 @@ int play(const Project& project, const Options& o) {
   return runProgram(program, project.build / "runs" / ("play-" + e.id), project);
 }
 
+int debug(const Project& project, const Options& o) {
+  const Exercise& e = project.find(o.what);
+  if (!e.isPrediction()) buildGraders(project, {&e}, true);
+  return debugExercise(project, e, o.second, o.printOnly, o.json);
+}
+
+int pack(const Project& project, const Options& o) {
+  const auto files = filesToPack(project, project.select(o.what.empty() ? "all" : o.what));
+  const fs::path zip = o.file.empty() ? project.root / "carom-answers.zip" : fs::path(o.file);
+  writePack(project, files, zip);
+  std::size_t untouched = 0;
+  json rows = json::array();
+  for (const auto& file : files) {
+    untouched += file.untouched;
+    rows.push_back({{"id", file.exercise->id}, {"path", file.path}, {"untouched", file.untouched}});
+    if (!o.json) {
+      std::cout << file.path << ", " << file.bytes << " bytes"
+                << (file.untouched ? ", not started" : "") << "\n";
+    }
+  }
+  if (o.json) {
+    std::cout << json{{"zip", zip.string()}, {"files", rows}}.dump(1) << "\n";
+  } else {
+    std::cout << "wrote " << zip.string() << ": " << files.size() << " files, " << untouched
+              << " of them not started\n";
+  }
+  return Exit::pass;
+}
+
 int hint(const Project& project, const Options& o) {
   State state(project.root);
   const Exercise* e = o.what.empty() ? nextExercise(project, state) : &project.find(o.what);
@@ -419,9 +451,10 @@ int main(int argc, char** argv) {
   app.add_option("--root", o.root)->group("");
   app.add_option("--build", o.build)->group("");
   app.add_flag("--json", o.json, "Answer in JSON");
-  app.add_flag("--plain", o.plain,
-               "Words instead of colours, columns and symbols, for screen readers and programs (so it "
-               "is already where there is no terminal)");
+  app.add_flag(
+      "--plain", o.plain,
+      "Words instead of colours, columns and symbols, for screen readers and programs (so it "
+      "is already where there is no terminal)");
   app.fallthrough();
 
   auto* startVerb =
@@ -443,6 +476,14 @@ int main(int argc, char** argv) {
   checkVerb->add_option("--compile-seconds", o.compileSeconds)->group("");
   auto* watchVerb = app.add_subcommand("watch", "Check each time the file is saved");
   watchVerb->add_option("id", o.what);
+  auto* debugVerb = app.add_subcommand(
+      "debug", "Start a debugger at the question that goes wrong, in your function");
+  debugVerb->add_option("id", o.what)->required();
+  debugVerb->add_option("--check", o.second, "This check instead of the first that fails");
+  debugVerb->add_flag("--print", o.printOnly, "Only print what would be started");
+  auto* packVerb = app.add_subcommand("pack", "Your answers in one file, to hand in");
+  packVerb->add_option("what", o.what, "Only this exercise or chapter");
+  packVerb->add_option("--out", o.file, "Name of the archive (carom-answers.zip)");
   auto* hintVerb = app.add_subcommand("hint", "The next hint, or a given one");
   hintVerb->add_option("id", o.what);
   hintVerb->add_option("number", o.number);
@@ -537,6 +578,8 @@ int main(int argc, char** argv) {
     }
     if (*checkVerb) return check(project, o, view);
     if (*watchVerb) return watch(project, o.what.empty() ? nullptr : &project.find(o.what), view);
+    if (*debugVerb) return debug(project, o);
+    if (*packVerb) return pack(project, o);
     if (*hintVerb) return hint(project, o);
     if (*solutionVerb) return solution(project, o, view);
     if (*resetVerb) {

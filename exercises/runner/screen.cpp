@@ -459,4 +459,14 @@ void screenObject(const Project& project, const Exercise& exercise, const fs::pa
   }
 }
 
+std::vector<std::string> definedFunctions(const Project& project, const fs::path& object) {
+  std::vector<std::string> names;
+  for (const auto& symbol : symbolsOf(project, object)) {
+    if (symbol.type != 'T') continue;
+    const std::string name = demangled(symbol.name);
+    names.push_back(name.substr(0, name.find('(')));
+  }
+  return names;
+}
+
 }  // namespace carom::runner

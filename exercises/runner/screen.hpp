@@ -42,6 +42,9 @@ void screenObject(const Project& project, const Exercise& exercise, const fs::pa
                   const fs::path& library, const fs::path& stage, Screening& result,
                   const grading::Sandbox* sandbox = nullptr);
 
+/// The functions that an object file defines for others, by their readable names without parameters.
+std::vector<std::string> definedFunctions(const Project& project, const fs::path& object);
+
 /// A symbol's readable name, or the symbol itself.
 std::string demangled(const std::string& symbol);
 

@@ -83,14 +83,24 @@ const Report& opened = report();
 json describe(const Question& question) {
   json given = json::array();
   for (const auto& g : question.given) given.push_back({g.name, g.value});
-  return {{"call", question.call}, {"given", given},          {"file", question.file},
-          {"line", question.line}, {"about", question.about}, {"unit", question.unit}};
+  return {{"call", question.call},   {"given", given},          {"file", question.file},
+          {"line", question.line},   {"about", question.about}, {"unit", question.unit},
+          {"number", report().asked}};
 }
+
+// The question that a debugger waits for.
+const char* const debugged = std::getenv("CAROM_DEBUG_QUESTION");
 
 }  // namespace
 
+/// Where `course debug` stops first: the next call is the one that goes wrong.
+[[gnu::noinline]] void theQuestion() {
+  asm volatile("");
+}
+
 void ask(const Question& question) {
   ++report().asked;
+  if (debugged && report().asked == std::atol(debugged)) theQuestion();
   if (report().last >= 0) {
     const std::string text =
         describe(question).dump(-1, ' ', false, json::error_handler_t::replace) + "\n";
