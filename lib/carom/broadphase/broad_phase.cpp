@@ -32,8 +32,8 @@ void BroadPhase::reserve(std::int32_t bodies, std::int32_t pairs) {
   immovable_.reserve(bodies);
   pairs_.reserve(bodies, pairs);
   moved_.reserve(bodies);
-  movedItems_.reserve(bodies);
-  movedBoxes_.reserve(bodies);
+  items_.reserve(bodies);
+  boxes_.reserve(bodies);
   begun_.reserve(pairs);
   ended_.reserve(pairs);
   removed_.reserve(pairs);
@@ -69,6 +69,7 @@ void BroadPhase::add(std::int32_t body, const Aabb<3>& box, Mobility mobility) {
   added.isIn = added.isNew = true;
   added.isImmovable = mobility == Mobility::immovable;
   added.box = added.isImmovable ? box : withRoom(box, Vector3::Zero());
+  ++size_;
   list(body);
 }
 
@@ -81,6 +82,7 @@ void BroadPhase::remove(std::int32_t body) {
   if (!bodies_[body].isNew) (bodies_[body].isImmovable ? immovable_ : moving_).remove(body);
   // It may stand in moved_ still, and is passed over there.
   bodies_[body] = Body();
+  --size_;
 }
 
 void BroadPhase::move(std::int32_t body, const Aabb<3>& box, const Vector3& way) {
@@ -98,9 +100,70 @@ void BroadPhase::touch(std::int32_t body) {
   list(body);
 }
 
-void BroadPhase::updateTrees() {
-  movedItems_.clear();
-  movedBoxes_.clear();
+// Fewer than this share of all: each asks the trees. A tree that has been left behind costs a pass
+// over all its nodes first, so it is taken up again for a quarter of that only. The numbers here are
+// those for which the suite `broadphase` is about as fast both ways.
+constexpr std::int64_t kShare = 8;
+constexpr std::int64_t kShareOfStale = 32;
+constexpr std::int32_t kSweepUpTo = 500;  // bodies; above, a grid compares fewer
+constexpr std::int64_t kMostBig = 16;     // bodies that each would be compared with all
+constexpr std::int32_t kGridRest = 64;    // updates, where it had too many big ones
+
+PairSearch BroadPhase::chooseSearch() {
+  PairSearch search = settings_.search;
+  if (search == PairSearch::chosen) {
+    const std::int64_t share = isStale_ ? kShareOfStale : kShare;
+    if (share * static_cast<std::int64_t>(moved_.size()) < size_) return PairSearch::trees;
+    search = size_ <= kSweepUpTo ? PairSearch::sweep : PairSearch::grid;
+    if (search == PairSearch::grid && gridRests_ > 0) {
+      --gridRests_;
+      return PairSearch::trees;
+    }
+  }
+  if (search == PairSearch::trees) return search;
+  gatherAll();
+  if (search == PairSearch::sweep) {
+    sweep_.update(boxes_);
+    return search;
+  }
+  grid_.update(boxes_);
+  if (settings_.search == PairSearch::chosen && grid_.bigBoxes() > kMostBig) {
+    gridRests_ = kGridRest;
+    return PairSearch::trees;
+  }
+  return search;
+}
+
+// All bodies and their boxes, without gaps.
+void BroadPhase::gatherAll() {
+  items_.clear();
+  boxes_.clear();
+  for (std::size_t body = 0; body < bodies_.size(); ++body) {
+    if (!bodies_[body].isIn) continue;
+    items_.push_back(static_cast<std::int32_t>(body));
+    boxes_.push_back(bodies_[body].box);
+  }
+}
+
+// Gives the tree of moving bodies the boxes that it has missed.
+void BroadPhase::refreshTree() const {
+  isStale_ = false;
+  items_.clear();
+  boxes_.clear();
+  moving_.forEach([&](std::int32_t body) {
+    items_.push_back(body);
+    boxes_.push_back(bodies_[body].box);
+  });
+  moving_.move(items_, boxes_);
+}
+
+void BroadPhase::updateTrees(bool movesToo) {
+  if (movesToo) {
+    if (isStale_) refreshTree();
+    ++counters_.byTrees;
+    items_.clear();
+    boxes_.clear();
+  }
   for (const std::int32_t body : moved_) {
     Body& moved = bodies_[body];
     if (!moved.isListed) continue;
@@ -111,20 +174,26 @@ void BroadPhase::updateTrees() {
       tree.insert(body, moved.box);
     } else if (moved.isImmovable) {
       tree.move(body, moved.box);
-    } else {
-      movedItems_.push_back(body);
-      movedBoxes_.push_back(moved.box);
+    } else if (movesToo) {
+      items_.push_back(body);
+      boxes_.push_back(moved.box);
     }
   }
-  moving_.move(movedItems_, movedBoxes_);
+  if (!movesToo) {
+    isStale_ = true;
+    return;
+  }
+  moving_.move(items_, boxes_);
   for (Tree<3>* tree : {&moving_, &immovable_}) {
     if (2 * tree->unsettled() <= tree->size() && tree->worsening() <= settings_.rebuildAt) continue;
     tree->rebuild();
     ++counters_.rebuilt;
   }
   // Neighbours one after the other find the same nodes still in the cache.
-  if (4 * static_cast<std::int64_t>(moved_.size()) < moving_.size()) return;
-  ++counters_.together;
+  if (kShare * static_cast<std::int64_t>(moved_.size()) >= size_) orderMoved();
+}
+
+void BroadPhase::orderMoved() {
   const auto end = std::remove_if(moved_.begin(), moved_.end(),
                                   [&](std::int32_t body) { return !bodies_[body].isImmovable; });
   moved_.erase(end, moved_.end());

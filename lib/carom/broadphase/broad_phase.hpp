@@ -5,6 +5,10 @@
 // nothing to do for it. One that leaves gets a new box and asks the trees who meets it; its old
 // pairs are looked at again, its new ones are added. Bodies that never move are in a tree of their
 // own, which is asked by those who move and never asks itself.
+// How those that left find partners (PairSearch): if they are fewer than an eighth of all, each asks
+// the trees. If more, the pairs of all are found anew, which costs less for each: by a sweep up to
+// 500 bodies, by a grid above, unless more than 16 bodies are too big for its cells. The trees then
+// wait until they are asked for. The same pairs come out, whichever way.
 // Why only those that left: in a pile at rest nobody does, and the update costs nothing.
 // Source: the moved list and the fat boxes of Box2D (Catto, 2009; GDC 2019).
 // Not handled: whether the shapes touch (detection), which pairs should not (the caller's `accept`).
@@ -13,9 +17,14 @@
 #include <span>
 #include <vector>
 
+#include "carom/broadphase/grid_pairs.hpp"
 #include "carom/broadphase/index_pair.hpp"
 #include "carom/broadphase/pair_cache.hpp"
+#include "carom/broadphase/pair_grid.hpp"
+#include "carom/broadphase/sorted_sweep.hpp"
+#include "carom/broadphase/sweep_and_prune.hpp"
 #include "carom/broadphase/tree.hpp"
+#include "carom/core/variant.hpp"
 
 namespace carom {
 
@@ -23,6 +32,14 @@ namespace carom {
 enum class Mobility {
   moving,    ///< it may: meets all others
   immovable  ///< it rests for good: meets moving ones only
+};
+
+/// How bodies that left their boxes find partners. \ingroup broadphase
+enum class PairSearch {
+  chosen,  ///< in each update by the rule above
+  trees,   ///< each asks the trees
+  sweep,   ///< all together, along the best axis
+  grid     ///< all together, in a grid
 };
 
 /// How a broad phase works. \ingroup broadphase
@@ -33,19 +50,23 @@ struct BroadPhaseSettings {
   /// How many steps' way the room reaches ahead [1].
   Real stepsAhead = 2;
   /// The tree is made anew when its surface has grown by this factor [1].
-  Real rebuildAt = 1.3;
+  Real rebuildAt = 2;
+  /// How partners are found.
+  PairSearch search = PairSearch::chosen;
 };
 
 /// What the updates have done so far. \ingroup broadphase
 struct BroadPhaseCounters {
-  std::int64_t updates = 0;   ///< calls of update()
-  std::int64_t left = 0;      ///< bodies that had left their boxes
-  std::int64_t visited = 0;   ///< nodes of trees looked at
-  std::int64_t tested = 0;    ///< pairs of bodies whose boxes were compared
-  std::int64_t begun = 0;     ///< pairs that came near
-  std::int64_t ended = 0;     ///< pairs that parted
-  std::int64_t together = 0;  ///< updates that refitted all bodies together
-  std::int64_t rebuilt = 0;   ///< trees made anew
+  std::int64_t updates = 0;  ///< calls of update()
+  std::int64_t left = 0;     ///< bodies that had left their boxes
+  std::int64_t visited = 0;  ///< nodes of trees looked at
+  std::int64_t tested = 0;   ///< pairs of bodies whose boxes were compared
+  std::int64_t begun = 0;    ///< pairs that came near
+  std::int64_t ended = 0;    ///< pairs that parted
+  std::int64_t byTrees = 0;  ///< updates in which bodies asked the trees
+  std::int64_t bySweep = 0;  ///< updates that swept through all
+  std::int64_t byGrid = 0;   ///< updates that put all into a grid
+  std::int64_t rebuilt = 0;  ///< trees made anew
 };
 
 /// Bodies' boxes and the pairs that are near each other. A body is a number from 0 that the caller
@@ -128,8 +149,11 @@ class BroadPhase {
     return bodies_[body].box;
   }
 
-  /// The bodies that may move. \return to ask for overlaps, rays and swept boxes
+  /// The bodies that may move, as of the last update(). Not to be called by two threads at once: it
+  /// may have to bring the tree up to date.
+  /// \return to ask for overlaps, rays and swept boxes
   const Tree<3>& movingTree() const {
+    if (isStale_) refreshTree();
     return moving_;
   }
 
@@ -153,17 +177,29 @@ class BroadPhase {
   };
   void list(std::int32_t body);
   Aabb<3> withRoom(const Aabb<3>& box, const Vector3& way) const;
-  void updateTrees();
+  PairSearch chooseSearch();
+  void updateTrees(bool movesToo);
+  void orderMoved();
+  void refreshTree() const;
+  void gatherAll();
   void sortEvents();
+  template <class Found>
+  void searchAll(PairSearch search, Found&& found);
 
   BroadPhaseSettings settings_;
   BroadPhaseCounters counters_;
   std::vector<Body> bodies_;
-  Tree<3> moving_, immovable_;
+  mutable Tree<3> moving_;
+  mutable bool isStale_ = false;  // moving_ does not know the boxes of all yet
+  Tree<3> immovable_;
+  SortedSweep sweep_;
+  PairGrid grid_;
   PairCache pairs_;
+  std::int32_t size_ = 0;            // bodies that are in
+  std::int32_t gridRests_ = 0;       // updates until a grid is tried again
   std::vector<std::int32_t> moved_;  // bodies that left their boxes, are new, or were touched
-  std::vector<std::int32_t> movedItems_;
-  std::vector<Aabb<3>> movedBoxes_;
+  mutable std::vector<std::int32_t> items_;  // some bodies, and their boxes
+  mutable std::vector<Aabb<3>> boxes_;
   std::vector<Event> begun_, ended_, removed_;
 };
 
@@ -174,7 +210,8 @@ void BroadPhase::update(Accept&& accept) {
   ended_.swap(removed_);
   removed_.clear();
   if (moved_.empty()) return sortEvents();
-  updateTrees();
+  const PairSearch search = chooseSearch();
+  updateTrees(search == PairSearch::trees);
 
   // Old pairs of those that moved: do they still meet?
   for (const std::int32_t body : moved_) {
@@ -190,23 +227,56 @@ void BroadPhase::update(Accept&& accept) {
     });
   }
 
-  // New pairs: those that a body meets and is no pair with yet.
-  for (const std::int32_t body : moved_) {
-    if (!bodies_[body].isListed) continue;
-    const auto found = [&](std::int32_t other) {
-      ++counters_.tested;
-      if (other == body || (bodies_[other].isListed && other < body)) return;
-      if (pairs_.find(body, other) != kNone) return;
-      const IndexPair pair = pairOf(body, other);
-      if (accept(pair.first, pair.second)) begun_.push_back({pair, pairs_.add(body, other)});
-    };
-    counters_.visited += moving_.overlap(bodies_[body].box, found);
-    if (bodies_[body].isImmovable) continue;
-    counters_.visited += immovable_.overlap(bodies_[body].box, found);
+  // New pairs: those that meet and are no pair yet.
+  const auto found = [&](std::int32_t a, std::int32_t b) {
+    if (pairs_.find(a, b) != kNone) return;
+    const IndexPair pair = pairOf(a, b);
+    if (accept(pair.first, pair.second)) begun_.push_back({pair, pairs_.add(a, b)});
+  };
+  if (search != PairSearch::trees) {
+    searchAll(search, found);
+  } else {
+    for (const std::int32_t body : moved_) {
+      if (!bodies_[body].isListed) continue;
+      const auto met = [&](std::int32_t other) {
+        ++counters_.tested;
+        // Both moved: the smaller number finds the other one.
+        if (other == body || (bodies_[other].isListed && other < body)) return;
+        found(body, other);
+      };
+      counters_.visited += moving_.overlap(bodies_[body].box, met);
+      if (bodies_[body].isImmovable) continue;
+      counters_.visited += immovable_.overlap(bodies_[body].box, met);
+    }
   }
   for (const std::int32_t body : moved_) bodies_[body].isListed = false;
   moved_.clear();
   sortEvents();
+}
+
+template <class Found>
+void BroadPhase::searchAll(PairSearch search, Found&& found) {
+  const auto met = [&](std::int32_t a, std::int32_t b) {
+    const Body &one = bodies_[items_[a]], &other = bodies_[items_[b]];
+    if (!one.isListed && !other.isListed) return;
+    if (one.isImmovable && other.isImmovable) return;
+    found(items_[a], items_[b]);
+  };
+  if (search == PairSearch::sweep) {
+    ++counters_.bySweep;
+    if (takesPlainPath()) {
+      for (const IndexPair& pair : sweepAndPrune(boxes_)) met(pair.first, pair.second);
+    } else {
+      counters_.tested += sweep_.pairs(met);
+    }
+  } else {
+    ++counters_.byGrid;
+    if (takesPlainPath()) {
+      for (const IndexPair& pair : gridPairs(boxes_, grid_.cell())) met(pair.first, pair.second);
+    } else {
+      counters_.tested += grid_.pairs(met);
+    }
+  }
 }
 
 }  // namespace carom

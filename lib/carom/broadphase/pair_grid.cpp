@@ -1,6 +1,7 @@
 #include "carom/broadphase/pair_grid.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace carom {
@@ -16,10 +17,13 @@ std::int64_t PairGrid::numberOf(Real coordinate) const {
   return static_cast<std::int64_t>(std::floor(coordinate / cell_));
 }
 
-std::uint64_t PairGrid::keyOf(std::int64_t x, std::int64_t y, std::int64_t z) {
-  constexpr std::uint64_t kMask = (std::uint64_t(1) << 21) - 1;
-  return (static_cast<std::uint64_t>(z) & kMask) << 42 |
-         (static_cast<std::uint64_t>(y) & kMask) << 21 | (static_cast<std::uint64_t>(x) & kMask);
+std::uint64_t PairGrid::keyOf(const std::array<std::int64_t, 3>& cell) const {
+  std::uint64_t key = 0;
+  for (int k = 2; k >= 0; --k) {
+    const auto number = static_cast<std::uint64_t>(cell[k] - base_[k]);
+    key = key << bits_[k] | (number & ((std::uint64_t(1) << bits_[k]) - 1));
+  }
+  return key;
 }
 
 void PairGrid::chooseCell() {
@@ -35,25 +39,45 @@ void PairGrid::chooseCell() {
   cell_ = std::clamp(1.5 * *middle, Real(1e-300), Real(1e300));
 }
 
-bool PairGrid::enter(std::int32_t index) {
-  const Aabb<3>& box = boxes_[index];
-  const Vector3 lowest = box.low / cell_, highest = box.high / cell_;
-  if (!(lowest.minCoeff() >= -kLastCell) || !(highest.maxCoeff() <= kLastCell)) return false;
-  std::array<std::int64_t, 3> low = {}, high = {};
+bool PairGrid::isBig(const Aabb<3>& box) const {
   std::int64_t cells = 1;
+  for (int k = 0; k < 3; ++k) {
+    // Also where a side is infinite.
+    if (!(box.low(k) / cell_ >= -kLastCell) || !(box.high(k) / cell_ <= kLastCell)) return true;
+    const std::int64_t along = numberOf(box.high(k)) - numberOf(box.low(k)) + 1;
+    if (along > kMostCells) return true;
+    cells *= along;
+  }
+  return cells > kMostCells;
+}
+
+void PairGrid::chooseKeys() {
+  Aabb<3> all;
+  for (std::size_t i = 0; i < boxes_.size(); ++i) {
+    if (!isBig_[i]) all = joined(all, boxes_[i]);
+  }
+  int bits = 0;
+  for (int k = 0; k < 3; ++k) {
+    base_[k] = numberOf(all.low(k));
+    const auto cells = static_cast<std::uint64_t>(numberOf(all.high(k)) - base_[k]);
+    bits_[k] = static_cast<int>(std::bit_width(cells));
+    bits += bits_[k];
+  }
+  if (bits > 63) bits_ = {21, 21, 21};
+}
+
+void PairGrid::enter(std::int32_t index) {
+  const Aabb<3>& box = boxes_[index];
+  std::array<std::int64_t, 3> low, high, at;
   for (int k = 0; k < 3; ++k) {
     low[k] = numberOf(box.low(k));
     high[k] = numberOf(box.high(k));
-    if (high[k] - low[k] >= kMostCells) return false;
-    cells *= high[k] - low[k] + 1;
   }
-  if (cells > kMostCells) return false;
-  for (std::int64_t z = low[2]; z <= high[2]; ++z) {
-    for (std::int64_t y = low[1]; y <= high[1]; ++y) {
-      for (std::int64_t x = low[0]; x <= high[0]; ++x) entries_.push_back({keyOf(x, y, z), index});
+  for (at[2] = low[2]; at[2] <= high[2]; ++at[2]) {
+    for (at[1] = low[1]; at[1] <= high[1]; ++at[1]) {
+      for (at[0] = low[0]; at[0] <= high[0]; ++at[0]) entries_.push_back({keyOf(at), index});
     }
   }
-  return true;
 }
 
 // By counting eleven bits at a time, from the lowest; what all keys share is passed over. Stable,
@@ -80,14 +104,17 @@ void PairGrid::update(std::span<const Aabb<3>> boxes) {
   chooseCell();
   entries_.clear();
   big_.clear();
-  isBig_.assign(boxes.size(), false);
+  isBig_.resize(boxes.size());
   for (std::size_t i = 0; i < boxes.size(); ++i) {
-    const auto index = static_cast<std::int32_t>(i);
-    if (enter(index)) continue;
-    big_.push_back(index);
-    isBig_[i] = true;
+    isBig_[i] = isBig(boxes[i]);
+    if (isBig_[i]) big_.push_back(static_cast<std::int32_t>(i));
   }
-  if (!entries_.empty()) sort();
+  if (big_.size() == boxes.size()) return;
+  chooseKeys();
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    if (!isBig_[i]) enter(static_cast<std::int32_t>(i));
+  }
+  sort();
 }
 
 }  // namespace carom

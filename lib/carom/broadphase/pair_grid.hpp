@@ -2,11 +2,12 @@
 // How is a grid made fast enough for every step?
 //
 // Method: that of gridPairs(), with memory that stays, an edge of the cells that follows the boxes
-// (half as long again as the middle one of their longest edges), and keys of 64 bits for cells, 21
-// for each axis, which are sorted by counting (radix sort). Cells that stand side by side along x
-// stay so in memory.
-// Why keys may repeat: cells 2^21 apart share one. Boxes that only share a key are told apart by
-// comparing them, and a pair is reported where its corner's key is.
+// (half as long again as the middle one of their longest edges), and one number as the key of a
+// cell, with as many bits for each axis as the scene has cells along it. Keys are sorted by counting
+// (radix sort); cells that stand side by side along x stay so in memory.
+// Why keys may repeat: in a scene of more than 2^63 cells, those 2^21 apart share one. Boxes that
+// only share a key are told apart by comparing them, and a pair is reported where its corner's key
+// is.
 // Source: Ericson 2005, chapter 7; Green, Particle simulation using CUDA, 2008 (sorted keys).
 // Not handled: boxes of very different sizes; big ones are compared with all.
 
@@ -50,16 +51,20 @@ class PairGrid {
     std::int32_t box = 0;
   };
   void chooseCell();
-  bool enter(std::int32_t index);
+  bool isBig(const Aabb<3>& box) const;
+  void chooseKeys();
+  void enter(std::int32_t index);
   void sort();
   std::int64_t numberOf(Real coordinate) const;
-  static std::uint64_t keyOf(std::int64_t x, std::int64_t y, std::int64_t z);
+  std::uint64_t keyOf(const std::array<std::int64_t, 3>& cell) const;
 
   std::span<const Aabb<3>> boxes_;
   std::vector<Entry> entries_, other_;
   std::vector<std::int32_t> big_;  // rising
   std::vector<Real> edges_;
   std::vector<bool> isBig_;
+  std::array<std::int64_t, 3> base_ = {};  // the lowest cell of the scene
+  std::array<int, 3> bits_ = {};           // how many bits of a key an axis has
   Real cell_ = 1;
 };
 
@@ -74,7 +79,7 @@ std::int64_t PairGrid::pairs(Visit&& visit) const {
       if (!meets(box, other)) continue;
       const Vector3 corner = box.low.cwiseMax(other.low);
       const std::uint64_t key =
-          keyOf(numberOf(corner.x()), numberOf(corner.y()), numberOf(corner.z()));
+          keyOf({numberOf(corner.x()), numberOf(corner.y()), numberOf(corner.z())});
       if (key != entries_[a].key) continue;
       const IndexPair pair = pairOf(entries_[a].box, entries_[b].box);
       visit(pair.first, pair.second);
