@@ -1,0 +1,182 @@
+#include "carom/world/advance_island.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "carom/world/contact_phase.hpp"
+#include "carom/world/find_islands.hpp"
+#include "carom/world/move_body.hpp"
+#include "carom/world/next_contact.hpp"
+#include "carom/world/project_positions.hpp"
+#include "carom/world/resolve_impacts.hpp"
+#include "carom/world/update_contacts.hpp"
+
+namespace carom::world {
+
+namespace {
+
+constexpr Real kNever = std::numeric_limits<Real>::infinity();
+
+int closedPoints(const WorldState& state, const IslandSlot& island) {
+  int closed = 0;
+  for (const Index pair : island.pairs) {
+    const PairSlot& slot = state.pairs[at(pair)];
+    for (int i = 0; i < slot.manifold.count; ++i) closed += isClosed(state, slot, i) ? 1 : 0;
+  }
+  return closed;
+}
+
+// The pairs of this island that belong to a set of bodies, each once, in the order of their shapes.
+void pairsOfSet(WorldState& state, Index island) {
+  Workspace& work = state.work;
+  work.setPairs.clear();
+  if (work.set.size() == state.islands[at(island)].bodies.size()) {
+    work.setPairs = state.islands[at(island)].pairs;
+    return;
+  }
+  for (const Index body : work.set) {
+    for (const Index shape : state.bodies[at(body)].shapes) {
+      state.broadPhase.pairs().forEachOf(shape, [&](std::int32_t pair, std::int32_t) {
+        if (state.pairs[at(pair)].island == island) work.setPairs.push_back(pair);
+      });
+    }
+  }
+  const auto name = [&](Index pair) {
+    return pairOf(state.pairs[at(pair)].shapeA, state.pairs[at(pair)].shapeB);
+  };
+  std::sort(work.setPairs.begin(), work.setPairs.end(),
+            [&](Index p, Index q) { return name(p) < name(q); });
+  work.setPairs.erase(std::unique(work.setPairs.begin(), work.setPairs.end()), work.setPairs.end());
+}
+
+// Whether all dynamic bodies of a pair are in the set: they are at its time.
+bool isInner(const WorldState& state, const PairSlot& pair, Real time) {
+  const auto isHere = [&](Index body) {
+    const BodySlot& slot = state.bodies[at(body)];
+    return !isDynamic(slot) || (slot.clock == time && slot.local >= 0);
+  };
+  return isHere(pair.bodyA) && isHere(pair.bodyB);
+}
+
+// Bodies that touch and do not part move together from now on.
+void findClusters(WorldState& state) {
+  Workspace& work = state.work;
+  for (const Index body : work.set) state.bodies[at(body)].cluster = body;
+  work.links.clear();
+  for (const WorkPatch& one : work.patches) {
+    const auto isMember = [&](int local) { return at(local) < work.set.size(); };
+    if (isMember(one.patch.bodyA) && isMember(one.patch.bodyB)) {
+      work.links.push_back(pairOf(one.patch.bodyA, one.patch.bodyB));
+    }
+  }
+  if (work.links.empty()) return;
+  work.flags.assign(work.set.size(), 1);
+  work.labels.resize(work.set.size());
+  findIslands(work.links, work.flags, work.labels);
+  for (std::size_t i = 0; i < work.set.size(); ++i) {
+    state.bodies[at(work.set[i])].cluster = work.set[at(work.labels[i])];
+  }
+}
+
+// Something has happened to the bodies of the set, who are all at this time: impacts, then what they
+// do until the end of the step, and when the next thing happens to them.
+void settle(WorldState& state, Index island, Real time, Real dt, bool bounce) {
+  Workspace& work = state.work;
+  pairsOfSet(state, island);
+  for (const Index index : state.islands[at(island)].bodies) state.bodies[at(index)].local = kNone;
+  for (std::size_t i = 0; i < work.set.size(); ++i) {
+    state.bodies[at(work.set[i])].local = static_cast<Index>(i);
+  }
+  std::vector<Index>& inner = work.innerPairs;
+  inner.clear();
+  for (const Index index : work.setPairs) {
+    PairSlot& pair = state.pairs[at(index)];
+    pair.stop = kNever;
+    if (!isInner(state, pair, time)) continue;
+    makeManifold(state, index, time, dt - time);
+    inner.push_back(index);
+  }
+  // Impacts may bring neighbours to collide at once; rounds end when nothing approaches.
+  resolveImpacts(state, work.set, inner, time, bounce);
+  solvePhase(state, {.bodies = work.set, .pairs = inner, .start = time, .end = dt});
+  findClusters(state);
+  for (const Index pair : work.setPairs) {
+    state.pairs[at(pair)].next = nextContact(state, pair, time, dt);
+  }
+}
+
+struct Event {
+  Real time = kNever;
+  Index pair = kNone;
+  bool stops = false;
+};
+
+Event nextEvent(const WorldState& state, const IslandSlot& island) {
+  Event event;
+  for (const Index pair : island.pairs) {
+    const PairSlot& slot = state.pairs[at(pair)];
+    if (slot.next < event.time) event = {slot.next, pair, false};
+    if (slot.stop < event.time) event = {slot.stop, pair, true};
+  }
+  return event;
+}
+
+// The bodies that move together with those of a pair.
+void setOfPair(WorldState& state, const IslandSlot& island, const PairSlot& pair) {
+  Workspace& work = state.work;
+  work.set.clear();
+  const Index a = state.bodies[at(pair.bodyA)].cluster, b = state.bodies[at(pair.bodyB)].cluster;
+  const bool movesA = isDynamic(state.bodies[at(pair.bodyA)]);
+  const bool movesB = isDynamic(state.bodies[at(pair.bodyB)]);
+  for (const Index body : island.bodies) {
+    const Index cluster = state.bodies[at(body)].cluster;
+    if ((movesA && cluster == a) || (movesB && cluster == b)) work.set.push_back(body);
+  }
+}
+
+void advanceByEvents(WorldState& state, Index index, Real dt) {
+  const IslandSlot& island = state.islands[at(index)];
+  Workspace& work = state.work;
+  work.set = island.bodies;
+  settle(state, index, 0, dt, true);
+  // After so many events bodies stop bouncing; after as many again they go where they go.
+  const std::size_t most =
+      static_cast<std::size_t>(state.settings.eventsPerBody) * (island.bodies.size() + 1);
+  for (std::size_t count = 0; count < 2 * most; ++count) {
+    const Event event = nextEvent(state, island);
+    if (!(event.time < dt)) break;
+    PairSlot& pair = state.pairs[at(event.pair)];
+    setOfPair(state, island, pair);
+    for (const Index body : work.set) moveBody(state, body, event.time);
+    if (event.stops) {
+      pair.sticks = true;
+      ++state.counters.slipChanges;
+    }
+    settle(state, index, event.time, dt, count < most);
+  }
+}
+
+void advanceAtOnce(WorldState& state, Index index, Real dt) {
+  const IslandSlot& island = state.islands[at(index)];
+  resolveAtOnce(state, island.bodies, island.pairs, dt);
+  solvePhase(
+      state,
+      {.bodies = island.bodies, .pairs = island.pairs, .start = 0, .end = dt, .speculative = true});
+}
+
+}  // namespace
+
+void advanceIsland(WorldState& state, Index index, Real dt) {
+  const IslandSlot& island = state.islands[at(index)];
+  if (state.settings.projectPositions) projectPositions(state, island.bodies, island.pairs);
+  const bool byEvents =
+      state.settings.locateEvents && closedPoints(state, island) <= state.settings.eventContacts;
+  if (byEvents) {
+    advanceByEvents(state, index, dt);
+  } else {
+    advanceAtOnce(state, index, dt);
+  }
+  for (const Index body : island.bodies) moveBody(state, body, dt, true);
+}
+
+}  // namespace carom::world

@@ -1,0 +1,250 @@
+#include "carom/world/contact_phase.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "carom/core/cross.hpp"
+#include "carom/manifold/contact_ids.hpp"
+#include "carom/rotation/integrate_orientation.hpp"
+#include "carom/rotation/quaternion_to_matrix.hpp"
+#include "carom/solver/solve_patches.hpp"
+#include "carom/world/move_body.hpp"
+#include "carom/world/update_contacts.hpp"
+
+namespace carom::world {
+
+namespace {
+
+// What of a body is at a point: the names of points say so (manifold/contact_ids.hpp).
+FeatureKind kindAt(std::uint32_t half) {
+  return static_cast<FeatureKind>((half >> 14) & 3u);
+}
+
+// An arm after a while: turned with its body.
+Vector3 turnedArm(const Vector3& arm, const Vector3& rate, Real duration) {
+  return quaternionToMatrix(integrateOrientation(Quaternion{}, rate, duration)) * arm;
+}
+
+// Arms at the middle of the time, and what they will add to the velocity until its end.
+void moveArms(const WorldState& state, const PairSlot& pair, std::uint32_t id, Real duration,
+              PatchPoint& point) {
+  const BodySlot &a = state.bodies[at(pair.bodyA)], &b = state.bodies[at(pair.bodyB)];
+  const Vector3 &wA = a.velocity.angular, &wB = b.velocity.angular;
+  if (wA == Vector3::Zero() && wB == Vector3::Zero() && !(a.mass.inverseMass > 0)) return;
+  const FeatureKind onA = kindAt(id >> 16), onB = kindAt(id);
+  const bool cornerA = onA == FeatureKind::vertex, cornerB = onB == FeatureKind::vertex;
+  const bool roundA = onA == FeatureKind::surface, roundB = onB == FeatureKind::surface;
+  if (!cornerA && !cornerB && !roundA && !roundB) return;
+  // The point moves with the body whose corner it is, or below the middle of the round one.
+  const bool withB = cornerB || (roundB && !cornerA);
+  const Vector3 between = point.armB - point.armA;  // from B's centre to A's
+  const Vector3 parting = b.velocity.linear - a.velocity.linear;
+  const auto arms = [&](Real time) {
+    PatchPoint then;
+    const Vector3 apart = between - time * parting;
+    if (withB) {
+      then.armB = cornerB ? turnedArm(point.armB, wB, time) : point.armB;
+      then.armA = then.armB - apart;
+    } else {
+      then.armA = cornerA ? turnedArm(point.armA, wA, time) : point.armA;
+      then.armB = then.armA + apart;
+    }
+    return then;
+  };
+  const PatchPoint middle = arms(duration / 2), end = arms(duration);
+  point.armA = middle.armA;
+  point.armB = middle.armB;
+  point.drift =
+      cross(wB, Vector3(end.armB - middle.armB)) - cross(wA, Vector3(end.armA - middle.armA));
+}
+
+}  // namespace
+
+Real slowSpeed(const WorldState& state) {
+  return state.settings.shortestBounce * state.lastStep * state.settings.gravity.norm() / 2 + 1e-12;
+}
+
+Real partingSpeed(const WorldState& state, const PairSlot& pair, int point) {
+  const BodySlot &a = state.bodies[at(pair.bodyA)], &b = state.bodies[at(pair.bodyB)];
+  const PatchPoint arms = armsOf(state, pair, point);
+  return pair.manifold.normal.dot(b.velocity.linear + cross(b.velocity.angular, arms.armB) -
+                                  a.velocity.linear - cross(a.velocity.angular, arms.armA));
+}
+
+PatchPoint armsOf(const WorldState& state, const PairSlot& pair, int point) {
+  const Vector3& where = pair.manifold.points[at(point)].position;
+  PatchPoint arms;
+  arms.armA = where - state.bodies[at(pair.bodyA)].position;
+  arms.armB = where - state.bodies[at(pair.bodyB)].position;
+  return arms;
+}
+
+void gather(WorldState& state, std::span<const Index> bodies, std::span<const Index> pairs) {
+  Workspace& work = state.work;
+  work.moving.clear();
+  work.members.clear();
+  const auto take = [&](Index index) {
+    BodySlot& body = state.bodies[at(index)];
+    body.local = static_cast<Index>(work.moving.size());
+    work.moving.push_back({body.mass, body.velocity});
+    work.members.push_back(index);
+  };
+  for (const Index body : bodies) take(body);
+  const auto isTaken = [&](Index index) {
+    const Index local = state.bodies[at(index)].local;
+    return local >= 0 && at(local) < work.members.size() && work.members[at(local)] == index;
+  };
+  for (const Index pair : pairs) {
+    for (const Index body : {state.pairs[at(pair)].bodyA, state.pairs[at(pair)].bodyB}) {
+      if (!isTaken(body)) take(body);
+    }
+  }
+}
+
+ContactPatch patchOf(const WorldState& state, const PairSlot& pair) {
+  ContactPatch patch;
+  patch.bodyA = state.bodies[at(pair.bodyA)].local;
+  patch.bodyB = state.bodies[at(pair.bodyB)].local;
+  patch.normal = pair.manifold.normal;
+  patch.friction = pair.friction;
+  patch.count = 0;
+  return patch;
+}
+
+namespace {
+
+// The rows of one pair, with the forces of the last solution to start from.
+void addPatch(WorldState& state, const PhaseTask& task, Index index) {
+  const PairSlot& pair = state.pairs[at(index)];
+  const Real duration = task.end - task.start;
+  WorkPatch work;
+  work.pair = index;
+  work.patch = patchOf(state, pair);
+  ContactPatch& patch = work.patch;
+  const Real slow = slowSpeed(state);
+  for (int i = 0; i < pair.manifold.count; ++i) {
+    const ManifoldPoint& made = pair.manifold.points[at(i)];
+    if (!task.speculative) {
+      if (!isClosed(state, pair, i) || partingSpeed(state, pair, i) > slow) continue;
+    }
+    PatchPoint point = armsOf(state, pair, i);
+    if (state.settings.trapezoidal) moveArms(state, pair, made.id, duration, point);
+    if (task.speculative && made.separation > 0) point.target = -made.separation / duration;
+    if (state.settings.warmStarting) point.impulse = pair.force[at(i)] * duration;
+    work.pointOf[at(patch.count)] = i;
+    patch.points[at(patch.count++)] = point;
+  }
+  if (patch.count == 0) return;
+  if (state.settings.warmStarting) {
+    patch.rub = pair.rub * duration;
+    patch.twist = pair.twist * duration;
+  }
+  // A contact that stuck starts to slip only if it must; one that slips does so down to rounding.
+  constexpr Real kStuck = 1e-3, kNone = 1e-10;
+  const Real step = state.settings.gravity.norm() * state.lastStep;
+  patch.slowest = (pair.sticks ? kStuck : kNone) * step + 1e-12;
+  state.work.patches.push_back(work);
+}
+
+// External forces, and what a body's own turning does to its rate.
+void accelerate(WorldState& state, Real duration) {
+  Workspace& work = state.work;
+  for (std::size_t i = 0; i < work.members.size(); ++i) {
+    const BodySlot& body = state.bodies[at(work.members[i])];
+    if (!isDynamic(body)) continue;
+    MovingBody& moving = work.moving[i];
+    moving.velocity.linear += duration * freeAcceleration(state, body);
+    if (!body.turnsEvenly && state.settings.gyroscopic &&
+        body.velocity.angular != Vector3::Zero()) {
+      moving.velocity.angular = turnedRate(body, duration);
+    }
+    if (body.torque != Vector3::Zero()) {
+      moving.velocity.angular += duration * (moving.mass.inverseInertia * body.torque);
+    }
+  }
+}
+
+// The fastest thing in the set: what changes by less than a rounding of it has come to an end.
+Real scaleOf(const WorldState& state, Real duration) {
+  Real speed = state.settings.gravity.norm() * duration;
+  for (const MovingBody& body : state.work.moving) {
+    speed = std::max(speed, body.velocity.linear.norm());
+  }
+  return std::max(speed, std::numeric_limits<Real>::min());
+}
+
+void storeForces(WorldState& state, Real start, Real duration) {
+  Workspace& work = state.work;
+  for (std::size_t i = 0; i < work.patches.size(); ++i) {
+    WorkPatch& one = work.patches[i];
+    PairSlot& pair = state.pairs[at(one.pair)];
+    storeImpulses(work.blocks[i], one.patch);
+    for (int k = 0; k < one.patch.count; ++k) {
+      pair.force[at(one.pointOf[at(k)])] = one.patch.points[at(k)].impulse / duration;
+    }
+    pair.rub = one.patch.rub / duration;
+    pair.twist = one.patch.twist / duration;
+    const Real stop = stopTime(work.blocks[i], work.moving, duration);
+    pair.sticks = !atLimit(work.blocks[i]);
+    pair.stop = start + stop;
+  }
+}
+
+}  // namespace
+
+void solvePhase(WorldState& state, const PhaseTask& task) {
+  Workspace& work = state.work;
+  const Real duration = task.end - task.start;
+  gather(state, task.bodies, task.pairs);
+  work.patches.clear();
+  work.blocks.clear();
+  for (const Index pair : task.pairs) addPatch(state, task, pair);
+  for (const Index pair : task.pairs) {
+    state.pairs[at(pair)].force = {};
+    state.pairs[at(pair)].rub = Vector3::Zero();
+    state.pairs[at(pair)].twist = 0;
+  }
+
+  // Bodies that nothing touches are on their own.
+  work.flags.assign(work.members.size(), 0);
+  for (const WorkPatch& one : work.patches) {
+    work.flags[at(one.patch.bodyA)] = work.flags[at(one.patch.bodyB)] = 1;
+  }
+  // Inertia as it will be in the middle of the time.
+  for (std::size_t i = 0; i < task.bodies.size(); ++i) {
+    BodySlot& body = state.bodies[at(task.bodies[i])];
+    body.isFree = work.flags[i] == 0;
+    body.acceleration = freeAcceleration(state, body);
+    body.turning = Vector3::Zero();
+    if (body.isFree) continue;
+    dropAnchor(state, body);
+    if (body.turnsEvenly || body.velocity.angular == Vector3::Zero()) continue;
+    const Quaternion half =
+        integrateOrientation(body.orientation, body.velocity.angular, duration / 2);
+    work.moving[i].mass.inverseInertia = inverseInertiaOf(body, quaternionToMatrix(half));
+  }
+  if (work.patches.empty()) return;
+
+  for (const WorkPatch& one : work.patches) {
+    work.blocks.push_back(prepareBlock(one.patch, work.moving));
+    state.counters.normalRows += work.blocks.back().count;
+    state.counters.frictionRows += work.blocks.back().rubs;
+  }
+  const Real scale = scaleOf(state, duration);
+  accelerate(state, duration);
+  for (const ContactBlock& block : work.blocks) warmStart(block, work.moving);
+  const SweepLimits limits{
+      .least = state.settings.iterations, .rowBudget = state.settings.rowBudget, .speed = scale};
+  state.counters.rowsSolved += solvePatches(work.moving, work.blocks, limits).rows;
+
+  for (std::size_t i = 0; i < task.bodies.size(); ++i) {
+    BodySlot& body = state.bodies[at(task.bodies[i])];
+    if (body.isFree) continue;
+    body.atEnd = work.moving[i].velocity;
+    body.acceleration = (body.atEnd.linear - body.velocity.linear) / duration;
+    body.turning = (body.atEnd.angular - body.velocity.angular) / duration;
+  }
+  storeForces(state, task.start, duration);
+}
+
+}  // namespace carom::world

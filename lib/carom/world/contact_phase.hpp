@@ -1,0 +1,59 @@
+#pragma once
+// What do bodies that touch do until something changes?
+//
+// Method: as long as no contact begins, ends, sticks or slips, forces and accelerations are nearly
+// constant. So the contacts are solved once, for the velocities at the end of the time, and the
+// bodies move by the mean of the velocities at both ends. For a block that slides, a ball that slips
+// and anything that rests this is exact; otherwise its error goes with the square of the step.
+// For that the solver looks at the contacts as they will be: impulses act at the arms of the middle
+// of the time, and velocities are asked for at its end. Arms turn with the body whose corner it is;
+// a ball's arm stays below its middle.
+// The end of slipping is found on the way: slip changes evenly, so its time is a division.
+// Source: the trapezoidal rule; Jean 1999 for contacts with a midpoint; stop times: chapter 5.
+// Not handled: normals of two round bodies that roll on each other, which turn within the step and
+// are held as they were at its start.
+
+#include <span>
+
+#include "carom/world/world_state.hpp"
+
+namespace carom::world {
+
+/// How a phase is to be solved. \ingroup world
+struct PhaseTask {
+  std::span<const Index> bodies;  ///< dynamic ones, ascending, all at the time `start`
+  std::span<const Index> pairs;   ///< with manifolds of that time
+  Real start = 0;                 ///< in this step [s]
+  Real end = 0;                   ///< end of the step [s]
+  /// Points that are apart are rows, too, and may close until the end. Without it only closed points
+  /// are, and others are left to the search for events.
+  bool speculative = false;
+};
+
+/// Solves the contacts of a set of bodies until the end of the step: accelerations and velocities at
+/// the end are set in the bodies, forces in the pairs. A pair whose slipping ends before has that
+/// time in `stop`. \param state of the world \param task what to solve \ingroup world
+void solvePhase(WorldState& state, const PhaseTask& task);
+
+/// Gives each body of a set its number, and lists it with its velocity. Immovable and kinematic
+/// bodies of the pairs follow. \param state of the world \param bodies dynamic ones
+/// \param pairs of these \ingroup world
+void gather(WorldState& state, std::span<const Index> bodies, std::span<const Index> pairs);
+
+/// Speed below which nothing is an impact: bounces that are slower end within the shortest time.
+/// \param state of the world \return [m/s] \ingroup world
+Real slowSpeed(const WorldState& state);
+
+/// How fast a point of a pair's manifold parts. \param state of the world, all bodies of the pair at
+/// the time of the manifold \param pair which \param point its number \return [m/s] \ingroup world
+Real partingSpeed(const WorldState& state, const PairSlot& pair, int point);
+
+/// A pair as the solver wants it, at the start of the time. \param state of the world, gathered
+/// \param pair which \return patch without points \ingroup world
+ContactPatch patchOf(const WorldState& state, const PairSlot& pair);
+
+/// The arms of a point of a manifold. \param state of the world \param pair which
+/// \param point its number \return point with both arms \ingroup world
+PatchPoint armsOf(const WorldState& state, const PairSlot& pair, int point);
+
+}  // namespace carom::world

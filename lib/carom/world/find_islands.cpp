@@ -1,0 +1,34 @@
+#include "carom/world/find_islands.hpp"
+
+#include <algorithm>
+
+namespace carom::world {
+
+namespace {
+
+// The name of the island that a body is in by now.
+std::int32_t topOf(std::span<std::int32_t> island, std::int32_t body) {
+  while (island[body] != body) {
+    island[body] = island[island[body]];  // half of the way for the next one
+    body = island[body];
+  }
+  return body;
+}
+
+}  // namespace
+
+void findIslands(std::span<const IndexPair> contacts, std::span<const std::uint8_t> movable,
+                 std::span<std::int32_t> island) {
+  const std::int32_t count = static_cast<std::int32_t>(movable.size());
+  for (std::int32_t i = 0; i < count; ++i) island[i] = i;
+
+  for (const IndexPair& contact : contacts) {
+    if (movable[contact.first] == 0 || movable[contact.second] == 0) continue;
+    const std::int32_t a = topOf(island, contact.first), b = topOf(island, contact.second);
+    island[std::max(a, b)] = std::min(a, b);
+  }
+
+  for (std::int32_t i = 0; i < count; ++i) island[i] = movable[i] == 0 ? kNone : topOf(island, i);
+}
+
+}  // namespace carom::world

@@ -1,0 +1,350 @@
+#include "carom/world/islands.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "carom/world/find_islands.hpp"
+#include "carom/world/may_sleep.hpp"
+#include "carom/world/wake.hpp"
+
+namespace carom::world {
+
+namespace {
+
+// Takes element `where` out of a list; the last one takes its place. Returns who moved, or kNone.
+Index takeOut(std::vector<Index>& list, Index where) {
+  const Index last = list.back();
+  list.pop_back();
+  if (static_cast<std::size_t>(where) == list.size()) return kNone;
+  list[at(where)] = last;
+  return last;
+}
+
+Index newIsland(WorldState& state) {
+  Index island;
+  if (state.freeIslands.empty()) {
+    island = static_cast<Index>(state.islands.size());
+    state.islands.emplace_back();
+  } else {
+    island = state.freeIslands.back();
+    state.freeIslands.pop_back();
+  }
+  IslandSlot& slot = state.islands[at(island)];
+  slot.alive = slot.awake = true;
+  slot.mustSplit = slot.unsorted = false;
+  slot.awakeAt = static_cast<Index>(state.awakeIslands.size());
+  state.awakeIslands.push_back(island);
+  ++state.islandCount;
+  return island;
+}
+
+void unlistIsland(WorldState& state, Index island) {
+  IslandSlot& slot = state.islands[at(island)];
+  const Index moved = takeOut(state.awakeIslands, slot.awakeAt);
+  if (moved != kNone) state.islands[at(moved)].awakeAt = slot.awakeAt;
+  slot.awakeAt = kNone;
+}
+
+void endIsland(WorldState& state, Index island) {
+  IslandSlot& slot = state.islands[at(island)];
+  if (slot.awake) unlistIsland(state, island);
+  slot.bodies.clear();
+  slot.pairs.clear();
+  slot.alive = false;
+  state.freeIslands.push_back(island);
+  --state.islandCount;
+}
+
+void addBody(WorldState& state, Index island, Index body) {
+  state.islands[at(island)].bodies.push_back(body);
+  state.islands[at(island)].unsorted = true;
+  state.bodies[at(body)].island = island;
+}
+
+void addPair(WorldState& state, Index island, Index pair) {
+  PairSlot& slot = state.pairs[at(pair)];
+  slot.island = island;
+  slot.islandAt = static_cast<Index>(state.islands[at(island)].pairs.size());
+  state.islands[at(island)].pairs.push_back(pair);
+  state.islands[at(island)].unsorted = true;
+}
+
+Index islandOf(WorldState& state, Index body) {
+  if (state.bodies[at(body)].island == kNone) addBody(state, newIsland(state), body);
+  return state.bodies[at(body)].island;
+}
+
+// Everything of one island goes over to the other.
+void join(WorldState& state, Index from, Index to) {
+  for (const Index body : state.islands[at(from)].bodies) addBody(state, to, body);
+  for (const Index pair : state.islands[at(from)].pairs) addPair(state, to, pair);
+  state.islands[at(to)].mustSplit |= state.islands[at(from)].mustSplit;
+  endIsland(state, from);
+}
+
+void sortIsland(WorldState& state, IslandSlot& island) {
+  std::sort(island.bodies.begin(), island.bodies.end());
+  std::sort(island.pairs.begin(), island.pairs.end(), [&](Index a, Index b) {
+    const PairSlot &p = state.pairs[at(a)], &q = state.pairs[at(b)];
+    return pairOf(p.shapeA, p.shapeB) < pairOf(q.shapeA, q.shapeB);
+  });
+  for (std::size_t i = 0; i < island.pairs.size(); ++i) {
+    state.pairs[at(island.pairs[i])].islandAt = static_cast<Index>(i);
+  }
+  island.unsorted = false;
+}
+
+// The bodies of an island by local numbers, with their contacts. Immovable ones get numbers, too.
+void describe(WorldState& state, const IslandSlot& island) {
+  Workspace& work = state.work;
+  work.links.clear();
+  work.flags.assign(island.bodies.size(), 1);
+  for (std::size_t i = 0; i < island.bodies.size(); ++i) {
+    state.bodies[at(island.bodies[i])].local = static_cast<Index>(i);
+  }
+  for (const Index pair : island.pairs) {
+    const PairSlot& slot = state.pairs[at(pair)];
+    const auto number = [&](Index body) {
+      if (isDynamic(state.bodies[at(body)])) return state.bodies[at(body)].local;
+      work.flags.push_back(0);
+      return static_cast<Index>(work.flags.size()) - 1;
+    };
+    const Index a = number(slot.bodyA), b = number(slot.bodyB);
+    work.links.push_back(pairOf(a, b));
+  }
+  work.labels.resize(work.flags.size());
+}
+
+void split(WorldState& state, Index index) {
+  ++state.counters.islandsSplit;
+  state.islands[at(index)].mustSplit = false;
+  describe(state, state.islands[at(index)]);
+  Workspace& work = state.work;
+  findIslands(work.links, work.flags, work.labels);
+  const std::size_t count = state.islands[at(index)].bodies.size();
+  const auto isFirst = [&](Index label) { return label == work.labels[0]; };
+  if (std::all_of(work.labels.begin(), work.labels.begin() + static_cast<std::ptrdiff_t>(count),
+                  isFirst)) {
+    if (!state.islands[at(index)].pairs.empty()) return;
+  }
+  // All leave; who still is held by a pair finds the others of its label again.
+  work.set = state.islands[at(index)].bodies;
+  work.setPairs = state.islands[at(index)].pairs;
+  endIsland(state, index);
+  for (const Index body : work.set) state.bodies[at(body)].island = kNone;
+  for (std::size_t i = 0; i < work.setPairs.size(); ++i) {
+    PairSlot& pair = state.pairs[at(work.setPairs[i])];
+    const Index body = isDynamic(state.bodies[at(pair.bodyA)]) ? pair.bodyA : pair.bodyB;
+    const Index label = work.labels[at(state.bodies[at(body)].local)];
+    const Index island = islandOf(state, work.set[at(label)]);
+    addPair(state, island, work.setPairs[i]);
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    const Index body = work.set[i];
+    const Index top = work.set[at(work.labels[i])];
+    if (state.bodies[at(body)].island != kNone || top == body) continue;
+    const Index island = state.bodies[at(top)].island;
+    if (island != kNone) addBody(state, island, body);
+  }
+}
+
+}  // namespace
+
+void joinByPair(WorldState& state, Index pair) {
+  const PairSlot& slot = state.pairs[at(pair)];
+  const bool movesA = isDynamic(state.bodies[at(slot.bodyA)]);
+  const bool movesB = isDynamic(state.bodies[at(slot.bodyB)]);
+  Index island = islandOf(state, movesA ? slot.bodyA : slot.bodyB);
+  if (movesA && movesB) {
+    const Index other = islandOf(state, slot.bodyB);
+    if (other != island) {
+      const std::size_t here = state.islands[at(island)].bodies.size();
+      const std::size_t there = state.islands[at(other)].bodies.size();
+      join(state, here < there ? island : other, here < there ? other : island);
+      island = state.bodies[at(slot.bodyB)].island;
+    }
+  }
+  addPair(state, island, pair);
+}
+
+void releasePair(WorldState& state, Index pair) {
+  PairSlot& slot = state.pairs[at(pair)];
+  IslandSlot& island = state.islands[at(slot.island)];
+  const Index moved = takeOut(island.pairs, slot.islandAt);
+  if (moved != kNone) state.pairs[at(moved)].islandAt = slot.islandAt;
+  slot.island = slot.islandAt = kNone;
+  island.mustSplit = island.unsorted = true;
+}
+
+void splitIslands(WorldState& state) {
+  for (std::size_t i = state.awakeIslands.size(); i-- > 0;) {
+    const Index island = state.awakeIslands[i];
+    if (state.islands[at(island)].mustSplit) split(state, island);
+  }
+  for (const Index island : state.awakeIslands) {
+    IslandSlot& slot = state.islands[at(island)];
+    if (slot.unsorted) sortIsland(state, slot);
+  }
+}
+
+void listBody(WorldState& state, Index body) {
+  state.bodies[at(body)].awakeAt = static_cast<Index>(state.awakeBodies.size());
+  state.awakeBodies.push_back(body);
+}
+
+void unlistBody(WorldState& state, Index body) {
+  BodySlot& slot = state.bodies[at(body)];
+  const Index moved = takeOut(state.awakeBodies, slot.awakeAt);
+  if (moved != kNone) state.bodies[at(moved)].awakeAt = slot.awakeAt;
+  slot.awakeAt = kNone;
+}
+
+void listPair(WorldState& state, Index pair) {
+  PairSlot& slot = state.pairs[at(pair)];
+  const auto isAwake = [&](Index body) { return state.bodies[at(body)].awakeAt != kNone; };
+  const bool wanted = slot.alive && (isAwake(slot.bodyA) || isAwake(slot.bodyB));
+  if (wanted == (slot.awakeAt != kNone)) return;
+  if (wanted) {
+    slot.awakeAt = static_cast<Index>(state.awakePairs.size());
+    state.awakePairs.push_back(pair);
+    return;
+  }
+  const Index moved = takeOut(state.awakePairs, slot.awakeAt);
+  if (moved != kNone) state.pairs[at(moved)].awakeAt = slot.awakeAt;
+  slot.awakeAt = kNone;
+}
+
+namespace {
+
+void listPairsOf(WorldState& state, Index body) {
+  for (const Index shape : state.bodies[at(body)].shapes) {
+    state.broadPhase.pairs().forEachOf(
+        shape, [&](std::int32_t pair, std::int32_t) { listPair(state, pair); });
+  }
+}
+
+void watchAnew(BodySlot& body) {
+  body.restTime = 0;
+  body.restSpeed = 0;
+  body.restHalf = false;
+  body.restStart = body.pose;
+}
+
+}  // namespace
+
+void wakeIsland(WorldState& state, Index island) {
+  IslandSlot& slot = state.islands[at(island)];
+  if (slot.awake) return;
+  ++state.counters.islandsWoken;
+  slot.awake = true;
+  slot.awakeAt = static_cast<Index>(state.awakeIslands.size());
+  state.awakeIslands.push_back(island);
+  // The plain function says who wakes; an island that is in order wakes as a whole.
+  describe(state, slot);
+  Workspace& work = state.work;
+  std::vector<std::uint8_t> asleep(work.flags.size(), 1);
+  for (std::size_t i = 0; i < slot.bodies.size(); ++i) {
+    if (asleep[i] != 0) wake(static_cast<Index>(i), work.links, work.flags, asleep);
+  }
+  for (std::size_t i = 0; i < slot.bodies.size(); ++i) {
+    BodySlot& body = state.bodies[at(slot.bodies[i])];
+    body.asleep = false;
+    body.clock = 0;
+    --state.sleeping;
+    watchAnew(body);
+    listBody(state, slot.bodies[i]);
+  }
+  for (const Index body : slot.bodies) listPairsOf(state, body);
+}
+
+void wakeBody(WorldState& state, Index body) {
+  BodySlot& slot = state.bodies[at(body)];
+  if (slot.island != kNone) wakeIsland(state, slot.island);
+  watchAnew(slot);
+}
+
+void putToSleep(WorldState& state, Index island) {
+  ++state.counters.islandsPutToSleep;
+  IslandSlot& slot = state.islands[at(island)];
+  unlistIsland(state, island);
+  slot.awake = false;
+  for (const Index index : slot.bodies) {
+    BodySlot& body = state.bodies[at(index)];
+    body.asleep = true;
+    body.velocity = Velocity();
+    body.acceleration = body.turning = Vector3::Zero();
+    ++state.sleeping;
+    unlistBody(state, index);
+  }
+  for (const Index body : slot.bodies) listPairsOf(state, body);
+}
+
+void leaveIsland(WorldState& state, Index body) {
+  BodySlot& slot = state.bodies[at(body)];
+  if (slot.island == kNone) return;
+  std::vector<Index>& bodies = state.islands[at(slot.island)].bodies;
+  bodies.erase(std::find(bodies.begin(), bodies.end(), body));
+  if (bodies.empty()) endIsland(state, slot.island);
+  slot.island = kNone;
+}
+
+namespace {
+
+// The way of the farthest point of a body between two poses: at most that of the centre and a turn.
+Real wayBetween(const BodySlot& body, const Pose& from, const Pose& to) {
+  const Real turned = (to.R_WB - from.R_WB).norm() / std::sqrt(2.0);
+  return (to.p_WB - from.p_WB).norm() + body.reach * turned;
+}
+
+// Watches a body for rest. Returns whether it may sleep by now.
+bool watch(const WorldState& state, BodySlot& body, Real dt) {
+  const WorldSettings& settings = state.settings;
+  body.restTime += dt;
+  const Real speed = body.velocity.linear.norm() + body.reach * body.velocity.angular.norm();
+  body.restSpeed = std::max(body.restSpeed, speed);
+  if (!body.restHalf && body.restTime >= settings.sleepTime / 2) {
+    body.restHalf = true;
+    body.restMiddle = body.pose;
+  }
+  if (body.restTime < settings.sleepTime) return false;
+  const RestWatch seen{wayBetween(body, body.restStart, body.restMiddle),
+                       wayBetween(body, body.restMiddle, body.pose), body.restSpeed};
+  const RestLimits limits{settings.sleepSpeed, settings.sleepDistance, 1e-6};
+  if (maySleep(seen, limits)) return true;
+  // The second half is the first one of the next look.
+  body.restTime -= settings.sleepTime / 2;
+  body.restStart = body.restMiddle;
+  body.restMiddle = body.pose;
+  body.restSpeed = speed;
+  return false;
+}
+
+bool heldByMoving(const WorldState& state, const IslandSlot& island) {
+  return std::any_of(island.pairs.begin(), island.pairs.end(), [&](Index pair) {
+    const BodySlot& a = state.bodies[at(state.pairs[at(pair)].bodyA)];
+    const BodySlot& b = state.bodies[at(state.pairs[at(pair)].bodyB)];
+    const auto carries = [](const BodySlot& body) {
+      return body.kind == BodyKind::kinematic &&
+             (body.velocity.linear != Vector3::Zero() || body.velocity.angular != Vector3::Zero());
+    };
+    return carries(a) || carries(b);
+  });
+}
+
+}  // namespace
+
+void sleepIslands(WorldState& state, Real dt) {
+  if (!state.settings.sleeping) return;
+  for (std::size_t i = state.awakeIslands.size(); i-- > 0;) {
+    const Index island = state.awakeIslands[i];
+    const IslandSlot& slot = state.islands[at(island)];
+    bool all = true;
+    for (const Index body : slot.bodies) {
+      const bool one = watch(state, state.bodies[at(body)], dt);
+      all = all && one && state.bodies[at(body)].maySleep;
+    }
+    if (all && !slot.mustSplit && !heldByMoving(state, slot)) putToSleep(state, island);
+  }
+}
+
+}  // namespace carom::world

@@ -1,0 +1,148 @@
+#include "carom/world/move_body.hpp"
+
+#include "carom/motion/careful_sum.hpp"
+#include "carom/motion/split_rotor.hpp"
+#include "carom/rotation/integrate_orientation.hpp"
+#include "carom/rotation/quaternion_to_matrix.hpp"
+
+namespace carom::world {
+
+namespace {
+
+bool turns(const BodySlot& body) {
+  return body.velocity.angular != Vector3::Zero();
+}
+
+bool needsRotor(const WorldState& state, const BodySlot& body) {
+  return !body.turnsEvenly && state.settings.gyroscopic && isDynamic(body) && turns(body);
+}
+
+// The closed form, from the anchor that the body has or gets now.
+RotorAnchor& anchorOf(WorldState& state, BodySlot& body) {
+  if (!body.anchor) {
+    const RotorState now{body.orientation, body.pose.R_WB.transpose() * body.velocity.angular};
+    RotorAnchor anchor{FreeRotor(body.moments, now)};
+    if (state.freeAnchors.empty()) {
+      body.anchor = state.anchors.size();
+      state.anchors.push_back(anchor);
+    } else {
+      body.anchor = state.freeAnchors.back();
+      state.freeAnchors.pop_back();
+      state.anchors[*body.anchor] = anchor;
+    }
+  }
+  return state.anchors[*body.anchor];
+}
+
+// Orientation and angular velocity of a body that turns by itself.
+void turnFreely(WorldState& state, BodySlot& body, Real duration, BodyState& after) {
+  if (!needsRotor(state, body)) {
+    const Vector3 kick = duration * (body.mass.inverseInertia * body.torque);
+    const Vector3 mean = body.velocity.angular + kick / 2;
+    after.velocity.angular = body.velocity.angular + kick;
+    if (mean != Vector3::Zero()) {
+      after.orientation = integrateOrientation(body.orientation, mean, duration);
+    }
+    return;
+  }
+  ++state.counters.exactRotations;
+  RotorState turned;
+  if (state.settings.exactRotation && body.torque == Vector3::Zero()) {
+    RotorAnchor& anchor = anchorOf(state, body);
+    turned = anchor.rotor.at(anchor.since + (anchor.lost + duration));
+  } else {
+    // A torque kicks before and after; in between the body turns freely.
+    const Vector3 half = duration / 2 * (body.mass.inverseInertia * body.torque);
+    const RotorState start{body.orientation,
+                           body.pose.R_WB.transpose() * (body.velocity.angular + half)};
+    turned = SplitRotor(body.moments).step4(start, duration);
+  }
+  const Matrix3 R = quaternionToMatrix(turned.q_WB);
+  after.orientation = turned.q_WB;
+  after.velocity.angular = R * turned.angularVelocity;
+  if (body.torque != Vector3::Zero()) {
+    after.velocity.angular += duration / 2 * (inverseInertiaOf(body, R) * body.torque);
+  }
+}
+
+}  // namespace
+
+Matrix3 inverseInertiaOf(const BodySlot& body, const Matrix3& R_WB) {
+  if (!isDynamic(body)) return Matrix3::Zero();
+  const Matrix3 scaled = R_WB * body.moments.cwiseInverse().asDiagonal();
+  const Matrix3 inverse = scaled * R_WB.transpose();
+  return (inverse + inverse.transpose()) / 2;
+}
+
+void refreshPose(BodySlot& body) {
+  body.pose = {quaternionToMatrix(body.orientation), body.position};
+  if (!body.turnsEvenly) body.mass.inverseInertia = inverseInertiaOf(body, body.pose.R_WB);
+}
+
+Vector3 freeAcceleration(const WorldState& state, const BodySlot& body) {
+  if (!isDynamic(body)) return Vector3::Zero();
+  return state.settings.gravity + body.mass.inverseMass * body.force;
+}
+
+BodyState bodyAt(WorldState& state, Index index, Real time) {
+  BodySlot& body = state.bodies[at(index)];
+  BodyState after{body.position, body.orientation, body.velocity};
+  const Real duration = time - body.clock;
+  if (duration == 0 || body.asleep || body.kind == BodyKind::immovable) return after;
+  const Vector3& a = body.acceleration;
+  after.velocity.linear = body.velocity.linear + duration * a;
+  const Vector3 mean = state.settings.trapezoidal || body.isFree
+                           ? Vector3(body.velocity.linear + duration / 2 * a)
+                           : after.velocity.linear;
+  after.position = body.position + duration * mean;
+  if (body.isFree) {
+    turnFreely(state, body, duration, after);
+    return after;
+  }
+  after.velocity.angular = body.velocity.angular + duration * body.turning;
+  const Vector3 turn = state.settings.trapezoidal
+                           ? Vector3(body.velocity.angular + duration / 2 * body.turning)
+                           : after.velocity.angular;
+  if (turn != Vector3::Zero()) {
+    after.orientation = integrateOrientation(body.orientation, turn, duration);
+  }
+  return after;
+}
+
+void moveBody(WorldState& state, Index index, Real time, bool last) {
+  BodySlot& body = state.bodies[at(index)];
+  if (time == body.clock) return;
+  const BodyState after = bodyAt(state, index, time);
+  if (body.anchor && !body.isFree) dropAnchor(state, body);
+  if (body.anchor) {
+    RotorAnchor& anchor = state.anchors[*body.anchor];
+    addCarefully(anchor.since, anchor.lost, time - body.clock);
+  }
+  body.position = after.position;
+  body.orientation = after.orientation;
+  body.velocity = last && !body.isFree ? body.atEnd : after.velocity;
+  body.clock = time;
+  refreshPose(body);
+}
+
+void dropAnchor(WorldState& state, BodySlot& body) {
+  if (!body.anchor) return;
+  state.freeAnchors.push_back(*body.anchor);
+  body.anchor.reset();
+}
+
+Vector3 turnedRate(const BodySlot& body, Real duration) {
+  const Vector3& w = body.velocity.angular;
+  const Matrix3& R = body.pose.R_WB;
+  const Vector3 L = R * body.moments.cwiseProduct(R.transpose() * w);
+  // The angular momentum stays; the axes turn with the mean rate, which two rounds find well enough.
+  Vector3 after = w;
+  for (int round = 0; round < 2; ++round) {
+    const Quaternion turn = integrateOrientation(Quaternion{}, (w + after) / 2, duration);
+    const Matrix3 turned = quaternionToMatrix(turn) * R;
+    after = turned * (turned.transpose() * L).cwiseQuotient(body.moments);
+  }
+  return after;
+}
+
+}  // namespace carom::world

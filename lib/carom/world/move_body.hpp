@@ -1,0 +1,54 @@
+#pragma once
+// Where is a body a little later?
+//
+// Method: a body that nothing touches is on a parabola, exactly, and turns as a free body does: a
+// ball steadily about its axis, any other in closed form from the last moment at which something
+// changed its rotation (free_rotor.hpp). A body in contact has constant accelerations, found by the
+// solver for this part of the step; it moves by the mean of its velocities.
+// What a body does not need it does not pay: no closed form for a ball, none for what does not turn.
+// Source: equations 1 and 16; Störmer and Verlet for the mean of the velocities.
+// Not handled: what it may hit on the way (next_contact.hpp).
+
+#include "carom/world/world_state.hpp"
+
+namespace carom::world {
+
+/// A body at some moment. \ingroup world
+struct BodyState {
+  Vector3 position = Vector3::Zero();  ///< centre of mass [m, world]
+  Quaternion orientation;              ///< inner frame to world
+  Velocity velocity;                   ///< [world]
+};
+
+/// Makes pose and inverse inertia anew from position and orientation. \param body is changed
+/// \ingroup world
+void refreshPose(BodySlot& body);
+
+/// The inverse inertia of a body in a given orientation. \param body whose moments
+/// \param R_WB rotation, inner frame to world \return [1/(kg m^2), world] \ingroup world
+Matrix3 inverseInertiaOf(const BodySlot& body, const Matrix3& R_WB);
+
+/// What acts on a body that nothing touches. \param state of the world \param body any
+/// \return acceleration of its centre [m/s^2, world] \ingroup world
+Vector3 freeAcceleration(const WorldState& state, const BodySlot& body);
+
+/// Where a body is at a later time of this step, if nothing happens until then.
+/// \param state of the world; an anchor may be made \param index of the body
+/// \param time in this step, not before its clock [s] \return its state then \ingroup world
+BodyState bodyAt(WorldState& state, Index index, Real time);
+
+/// Moves a body on. \param state of the world \param index of the body
+/// \param time in this step, not before its clock [s]
+/// \param last whether this is the end of the step, to which the solver has computed
+/// \ingroup world
+void moveBody(WorldState& state, Index index, Real time, bool last = false);
+
+/// Forgets that a body turned freely: something has changed its rotation.
+/// \param state of the world \param body whose \ingroup world
+void dropAnchor(WorldState& state, BodySlot& body);
+
+/// The angular velocity of a body after a while without torque. \param body any
+/// \param duration [s] \return [rad/s, world] \ingroup world
+Vector3 turnedRate(const BodySlot& body, Real duration);
+
+}  // namespace carom::world

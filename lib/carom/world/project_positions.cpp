@@ -1,0 +1,119 @@
+#include "carom/world/project_positions.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "carom/rotation/integrate_orientation.hpp"
+#include "carom/solver/contact_patch.hpp"
+#include "carom/world/contact_phase.hpp"
+#include "carom/world/move_body.hpp"
+#include "carom/world/update_contacts.hpp"
+
+namespace carom::world {
+
+namespace {
+
+// How far a point should move along the normal in this step; zero for most of them.
+Real wantedWay(const WorldState& state, const PairSlot& pair, int point) {
+  // Deeper overlaps than this come apart over several steps, lest bodies jump.
+  constexpr Real kAtOnce = 1e-4, kShare = 0.2;
+  const Real separation = pair.manifold.points[at(point)].separation;
+  if (separation > 0 && !(pair.force[at(point)] > 0 && isClosed(state, pair, point))) return 0;
+  const Real way = -separation;
+  return way > kAtOnce ? kAtOnce + kShare * (way - kAtOnce) : way;
+}
+
+// What rounding may leave of a separation.
+Real littleWay(const WorldState& state, const PairSlot& pair) {
+  constexpr Real kRoundings = 16 * std::numeric_limits<Real>::epsilon();
+  const BodySlot& b = state.bodies[at(pair.bodyB)];
+  return kRoundings * (b.position.cwiseAbs().maxCoeff() + b.reach);
+}
+
+}  // namespace
+
+void projectPositions(WorldState& state, std::span<const Index> bodies,
+                      std::span<const Index> pairs) {
+  Workspace& work = state.work;
+  // Is anything off?
+  std::int64_t off = 0;
+  for (const Index index : pairs) {
+    const PairSlot& pair = state.pairs[at(index)];
+    bool one = false;
+    for (int i = 0; i < pair.manifold.count; ++i) {
+      one = one || std::abs(wantedWay(state, pair, i)) > littleWay(state, pair);
+    }
+    off += one ? 1 : 0;
+  }
+  if (off == 0) return;
+  state.counters.projections += off;
+
+  // The bodies' velocities are ways here, and nothing moves yet.
+  gather(state, bodies, pairs);
+  for (MovingBody& body : work.moving) body.velocity = Velocity();
+  work.patches.clear();
+  work.blocks.clear();
+  for (const Index index : pairs) {
+    const PairSlot& pair = state.pairs[at(index)];
+    WorkPatch one;
+    one.pair = index;
+    one.patch = patchOf(state, pair);
+    one.patch.friction = 0;
+    for (int i = 0; i < pair.manifold.count; ++i) {
+      // Points that are apart must not be pushed into each other.
+      PatchPoint point = armsOf(state, pair, i);
+      const Real separation = pair.manifold.points[at(i)].separation;
+      const bool closed = separation <= 0 || wantedWay(state, pair, i) != 0;
+      point.target = closed ? wantedWay(state, pair, i) : -separation;
+      one.pointOf[at(one.patch.count)] = i;
+      one.patch.points[at(one.patch.count++)] = point;
+    }
+    if (one.patch.count == 0) continue;
+    work.patches.push_back(one);
+    work.blocks.push_back(prepareBlock(one.patch, work.moving));
+  }
+
+  // Sweeps; a contact that is to close is a row that pulls, too.
+  constexpr int kSweeps = 10;
+  for (int sweep = 0; sweep < kSweeps; ++sweep) {
+    Real change = 0;
+    for (ContactBlock& block : work.blocks) {
+      MovingBody &a = work.moving[at(block.bodyA)], &b = work.moving[at(block.bodyB)];
+      for (int i = 0; i < block.count; ++i) {
+        const Real missing = block.targets[at(i)] - speedAtEnd(block.normals[at(i)], a, b);
+        const bool pulls =
+            block.targets[at(i)] < 0 && -block.targets[at(i)] <= state.settings.restTolerance;
+        const Real wanted = block.impulses[at(i)] + block.masses[at(i)] * missing;
+        const Real total = pulls ? wanted : std::max(Real(0), wanted);
+        const Real added = total - block.impulses[at(i)];
+        block.impulses[at(i)] = total;
+        pushAlong(block.normals[at(i)], added, a, b);
+        if (block.masses[at(i)] > 0)
+          change = std::max(change, std::abs(added) / block.masses[at(i)]);
+      }
+    }
+    if (change < 1e-15) break;
+  }
+
+  for (std::size_t i = 0; i < work.blocks.size(); ++i) {
+    const ContactBlock& block = work.blocks[i];
+    PairSlot& pair = state.pairs[at(work.patches[i].pair)];
+    for (int k = 0; k < block.count; ++k) {
+      const MovingBody &a = work.moving[at(block.bodyA)], &b = work.moving[at(block.bodyB)];
+      pair.manifold.points[at(work.patches[i].pointOf[at(k)])].separation +=
+          speedAtEnd(block.normals[at(k)], a, b);
+    }
+  }
+  for (const Index index : bodies) {
+    BodySlot& body = state.bodies[at(index)];
+    const Velocity& way = work.moving[at(body.local)].velocity;
+    body.position += way.linear;
+    if (way.angular != Vector3::Zero()) {
+      body.orientation = integrateOrientation(body.orientation, way.angular, 1);
+      dropAnchor(state, body);
+    }
+    refreshPose(body);
+  }
+}
+
+}  // namespace carom::world

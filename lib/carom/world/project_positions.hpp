@@ -1,0 +1,24 @@
+#pragma once
+// How is an overlap taken away without making speed of it?
+//
+// Method: the bodies of an island are pushed apart by moving them, along the normals, by what is
+// wanted and no more; velocities are not touched. Overlaps are taken away whole, contacts that carried
+// and have come off by less than the tolerance are closed again. Deep overlaps come apart in steps.
+// Where nothing is off by more than rounding nothing is done.
+// Why not by velocity (Baumgarte 1972): the speed that pushes bodies apart stays with them.
+// Source: nonlinear Gauss-Seidel; Cline and Pai 2003; split impulses: Guendelman and others 2003.
+// Not handled: the best way out of a deep overlap of many bodies.
+
+#include <span>
+
+#include "carom/world/world_state.hpp"
+
+namespace carom::world {
+
+/// Takes the overlap of a set of bodies away. \param state of the world, at the start of a step
+/// \param bodies dynamic ones; they are moved \param pairs with fresh manifolds; the separations of
+/// their points are changed \ingroup world
+void projectPositions(WorldState& state, std::span<const Index> bodies,
+                      std::span<const Index> pairs);
+
+}  // namespace carom::world

@@ -1,0 +1,214 @@
+#include "carom/world/resolve_impacts.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "carom/impulse/change_velocities.hpp"
+#include "carom/impulse/passive_impact.hpp"
+#include "carom/solver/solve_patches.hpp"
+#include "carom/world/contact_phase.hpp"
+#include "carom/world/move_body.hpp"
+#include "carom/world/update_contacts.hpp"
+
+namespace carom::world {
+
+namespace {
+
+// What is known of a set before anything is done.
+struct Approach {
+  Real fastest = 0;      // approach of a closed point [m/s]
+  Real restitution = 0;  // the largest of those that bounce
+};
+
+Approach approachOf(const WorldState& state, std::span<const Index> pairs, bool bounce) {
+  const Real slow = slowSpeed(state);
+  Approach seen;
+  for (const Index index : pairs) {
+    const PairSlot& pair = state.pairs[at(index)];
+    for (int i = 0; i < pair.manifold.count; ++i) {
+      if (!isClosed(state, pair, i)) continue;
+      const Real speed = -partingSpeed(state, pair, i);
+      if (speed <= slow) continue;
+      seen.fastest = std::max(seen.fastest, speed);
+      if (bounce && pair.restitution * speed > slow) {
+        seen.restitution = std::max(seen.restitution, pair.restitution);
+      }
+    }
+  }
+  return seen;
+}
+
+void report(WorldState& state, Index index, int point, Real time, Real approach, Real impulse) {
+  const PairSlot& pair = state.pairs[at(index)];
+  const ContactEvent ids = eventOf(state, pair);
+  state.impacts.push_back({ids.shapeA, ids.shapeB, ids.bodyA, ids.bodyB, time,
+                           pair.manifold.points[at(point)].position, pair.manifold.normal, approach,
+                           impulse});
+}
+
+// The closed points as contacts of chapter 5.
+void listContacts(WorldState& state, std::span<const Index> pairs) {
+  Workspace& work = state.work;
+  work.contacts.clear();
+  work.contactPairs.clear();
+  const Real slow = slowSpeed(state);
+  for (const Index index : pairs) {
+    const PairSlot& pair = state.pairs[at(index)];
+    for (int i = 0; i < pair.manifold.count; ++i) {
+      if (!isClosed(state, pair, i)) continue;
+      const PatchPoint arms = armsOf(state, pair, i);
+      const bool bounces = pair.restitution * std::abs(partingSpeed(state, pair, i)) > slow;
+      BodyContact contact;
+      contact.bodyA = state.bodies[at(pair.bodyA)].local;
+      contact.bodyB = state.bodies[at(pair.bodyB)].local;
+      contact.contact = {pair.manifold.normal, arms.armA, arms.armB};
+      contact.law = {bounces || -partingSpeed(state, pair, i) <= slow ? pair.restitution : 0,
+                     pair.friction, 0};
+      work.contacts.push_back(contact);
+      work.contactPairs.push_back(index);
+    }
+  }
+}
+
+// Newton's balls and their like: rounds, or one law for one point.
+void bounceAll(WorldState& state, std::span<const Index> pairs, Real time) {
+  Workspace& work = state.work;
+  listContacts(state, pairs);
+  const auto reportAt = [&](std::size_t i, Real approach, Real impulse) {
+    const PairSlot& pair = state.pairs[at(work.contactPairs[i])];
+    int point = 0;
+    for (std::size_t j = i; j-- > 0 && work.contactPairs[j] == work.contactPairs[i];) ++point;
+    report(state, work.contactPairs[i], std::min(point, pair.manifold.count - 1), time, approach,
+           impulse);
+  };
+  if (work.contacts.size() == 1) {
+    const BodyContact& one = work.contacts[0];
+    MovingBody &a = work.moving[at(one.bodyA)], &b = work.moving[at(one.bodyB)];
+    const Real approach = -relativeVelocity(a, b, one.contact).dot(one.contact.normal);
+    const Vector3 impulse = passiveImpact(a, b, one.contact, one.law).impulse;
+    changeVelocities(a, b, one.contact, impulse);
+    reportAt(0, approach, impulse.dot(one.contact.normal));
+    return;
+  }
+  std::vector<Real> approach(work.contacts.size());
+  for (std::size_t i = 0; i < work.contacts.size(); ++i) {
+    const BodyContact& c = work.contacts[i];
+    approach[i] = -relativeVelocity(work.moving[at(c.bodyA)], work.moving[at(c.bodyB)], c.contact)
+                       .dot(c.contact.normal);
+  }
+  const SimultaneousImpacts done = simultaneousImpacts(work.moving, work.contacts);
+  for (std::size_t i = 0; i < work.contacts.size(); ++i) {
+    if (done.normalImpulses[i] > 0) reportAt(i, approach[i], done.normalImpulses[i]);
+  }
+}
+
+// Solves the patches as they are, for no time at all.
+void solveNow(WorldState& state, Real scale) {
+  Workspace& work = state.work;
+  work.blocks.clear();
+  for (const WorkPatch& one : work.patches) {
+    work.blocks.push_back(prepareBlock(one.patch, work.moving));
+  }
+  const SweepLimits limits{
+      .least = state.settings.iterations, .rowBudget = state.settings.rowBudget, .speed = scale};
+  state.counters.rowsSolved += solvePatches(work.moving, work.blocks, limits).rows;
+}
+
+void takeVelocities(WorldState& state, std::span<const Index> bodies) {
+  for (const Index index : bodies) {
+    BodySlot& body = state.bodies[at(index)];
+    const Velocity& after = state.work.moving[at(body.local)].velocity;
+    if (after.angular != body.velocity.angular) dropAnchor(state, body);
+    body.velocity = after;
+  }
+}
+
+// Tells of what has just been solved; speeds are still those of before.
+void reportSolved(WorldState& state, Real time) {
+  const Workspace& work = state.work;
+  for (std::size_t i = 0; i < work.blocks.size(); ++i) {
+    const ContactBlock& block = work.blocks[i];
+    const PairSlot& pair = state.pairs[at(work.patches[i].pair)];
+    for (int k = 0; k < block.count; ++k) {
+      const int point = work.patches[i].pointOf[at(k)];
+      const Real approach = -partingSpeed(state, pair, point);
+      if (block.impulses[at(k)] > 0 && approach > slowSpeed(state)) {
+        report(state, work.patches[i].pair, point, time, approach, block.impulses[at(k)]);
+      }
+    }
+  }
+}
+
+void stopAll(WorldState& state, std::span<const Index> pairs, Real time, Real fastest) {
+  Workspace& work = state.work;
+  work.patches.clear();
+  for (const Index index : pairs) {
+    const PairSlot& pair = state.pairs[at(index)];
+    WorkPatch one;
+    one.pair = index;
+    one.patch = patchOf(state, pair);
+    for (int i = 0; i < pair.manifold.count; ++i) {
+      if (!isClosed(state, pair, i)) continue;
+      one.pointOf[at(one.patch.count)] = i;
+      one.patch.points[at(one.patch.count++)] = armsOf(state, pair, i);
+    }
+    // Friction in an impact is what it takes to stick, within the cone, however fast the slip is.
+    one.patch.slowest = std::numeric_limits<Real>::infinity();
+    if (one.patch.count > 0) work.patches.push_back(one);
+  }
+  solveNow(state, fastest);
+  reportSolved(state, time);
+}
+
+}  // namespace
+
+bool resolveImpacts(WorldState& state, std::span<const Index> bodies, std::span<const Index> pairs,
+                    Real time, bool bounce) {
+  const Approach seen = approachOf(state, pairs, bounce);
+  if (seen.fastest == 0) return false;
+  ++state.counters.impacts;
+  gather(state, bodies, pairs);
+  if (seen.restitution > 0) {
+    bounceAll(state, pairs, time);
+  } else {
+    stopAll(state, pairs, time, seen.fastest);
+  }
+  takeVelocities(state, bodies);
+  return true;
+}
+
+void resolveAtOnce(WorldState& state, std::span<const Index> bodies, std::span<const Index> pairs,
+                   Real dt) {
+  const Real slow = slowSpeed(state);
+  Real fastest = 0;
+  gather(state, bodies, pairs);
+  Workspace& work = state.work;
+  work.patches.clear();
+  for (const Index index : pairs) {
+    const PairSlot& pair = state.pairs[at(index)];
+    WorkPatch one;
+    one.pair = index;
+    one.patch = patchOf(state, pair);
+    for (int i = 0; i < pair.manifold.count; ++i) {
+      const Real separation = pair.manifold.points[at(i)].separation;
+      const Real speed = partingSpeed(state, pair, i);
+      PatchPoint point = armsOf(state, pair, i);
+      point.target = -std::max(separation, Real(0)) / dt;
+      if (speed < point.target - slow) {
+        fastest = std::max(fastest, -speed);
+        ++state.counters.impacts;
+        if (-pair.restitution * speed > slow) point.target = -pair.restitution * speed;
+      }
+      one.pointOf[at(one.patch.count)] = i;
+      one.patch.points[at(one.patch.count++)] = point;
+    }
+    one.patch.slowest = std::numeric_limits<Real>::infinity();
+    if (one.patch.count > 0) work.patches.push_back(one);
+  }
+  if (fastest == 0) return;
+  solveNow(state, fastest);
+  reportSolved(state, 0);
+  takeVelocities(state, bodies);
+}
+
+}  // namespace carom::world

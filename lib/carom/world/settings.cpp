@@ -1,0 +1,37 @@
+#include "carom/world/settings.hpp"
+
+#include <string>
+
+#include "carom/core/checks.hpp"
+
+namespace carom::world {
+
+namespace {
+
+void requireAtLeastOne(int value, const char* name) {
+  if (value < 1) reject(name, std::to_string(value), "must be positive");
+}
+
+}  // namespace
+
+void requireUsable(const WorldSettings& settings) {
+  requireFinite(settings.gravity, "gravity");
+  requireAtLeastOne(settings.iterations, "iterations");
+  requireAtLeastOne(settings.eventsPerBody, "eventsPerBody");
+  requireAtLeastOne(settings.maxBodies, "maxBodies");
+  if (settings.rowBudget < 0) {
+    reject("rowBudget", std::to_string(settings.rowBudget), "must be zero or positive");
+  }
+  if (settings.eventContacts < 0) {
+    reject("eventContacts", std::to_string(settings.eventContacts), "must be zero or positive");
+  }
+  requirePositive(settings.contactMargin, "contactMargin");
+  requirePositive(settings.touchTolerance, "touchTolerance");
+  requirePositive(settings.restTolerance, "restTolerance");
+  requireNonNegative(settings.shortestBounce, "shortestBounce");
+  requirePositive(settings.sleepTime, "sleepTime");
+  requirePositive(settings.sleepSpeed, "sleepSpeed");
+  requirePositive(settings.sleepDistance, "sleepDistance");
+}
+
+}  // namespace carom::world

@@ -1,0 +1,86 @@
+#include "carom/world/step_world.hpp"
+
+#include <algorithm>
+
+#include "carom/motion/careful_sum.hpp"
+#include "carom/world/advance_island.hpp"
+#include "carom/world/islands.hpp"
+#include "carom/world/move_body.hpp"
+#include "carom/world/update_contacts.hpp"
+
+namespace carom::world {
+
+namespace {
+
+void beginStep(WorldState& state, Real dt) {
+  state.counters = Counters();
+  state.begun.clear();
+  // What ended between the steps has not been seen yet.
+  state.ended.erase(state.ended.begin(),
+                    state.ended.begin() + static_cast<std::ptrdiff_t>(state.endedBefore));
+  state.impacts.clear();
+  state.lastStep = dt;
+  for (const Index body : state.awakeBodies) state.bodies[at(body)].clock = 0;
+}
+
+// Bodies that no pair holds, and those that only their own velocity moves.
+void advanceFree(WorldState& state, Real dt) {
+  for (const Index index : state.awakeBodies) {
+    BodySlot& body = state.bodies[at(index)];
+    if (body.island != kNone) continue;
+    body.isFree = true;
+    body.acceleration = freeAcceleration(state, body);
+    moveBody(state, index, dt, true);
+    ++state.counters.bodiesFree;
+  }
+}
+
+void reportContacts(WorldState& state) {
+  for (const Index index : state.awakePairs) {
+    PairSlot& pair = state.pairs[at(index)];
+    bool touches = false;
+    for (int i = 0; i < pair.manifold.count; ++i) touches = touches || isClosed(state, pair, i);
+    if (touches != pair.touches) {
+      (touches ? state.begun : state.ended).push_back(eventOf(state, pair));
+    }
+    pair.touches = touches;
+  }
+  const auto byIds = [](const ContactEvent& a, const ContactEvent& b) {
+    return a.shapeA != b.shapeA ? a.shapeA < b.shapeA : a.shapeB < b.shapeB;
+  };
+  std::sort(state.begun.begin(), state.begun.end(), byIds);
+  std::sort(state.ended.begin(), state.ended.end(), byIds);
+  std::stable_sort(state.impacts.begin(), state.impacts.end(),
+                   [](const ImpactEvent& a, const ImpactEvent& b) {
+                     if (a.time != b.time) return a.time < b.time;
+                     return a.shapeA != b.shapeA ? a.shapeA < b.shapeA : a.shapeB < b.shapeB;
+                   });
+  state.endedBefore = state.ended.size();
+}
+
+void countBodies(WorldState& state) {
+  Counters& counters = state.counters;
+  counters.bodiesAwake = static_cast<std::int64_t>(state.awakeBodies.size());
+  counters.bodiesAsleep = state.sleeping;
+  counters.islandsAwake = static_cast<std::int64_t>(state.awakeIslands.size());
+  counters.islandsAsleep = state.islandCount - counters.islandsAwake;
+  counters.pairsAsleep = state.broadPhase.pairs().size() - counters.pairsAwake;
+}
+
+}  // namespace
+
+void stepWorld(WorldState& state, Real dt) {
+  beginStep(state, dt);
+  updatePairs(state, dt);
+  updateManifolds(state, dt);
+  splitIslands(state);
+  countBodies(state);
+  // Kinematic bodies last: islands ask where they are at any time of the step.
+  for (const Index island : state.awakeIslands) advanceIsland(state, island, dt);
+  advanceFree(state, dt);
+  reportContacts(state);
+  sleepIslands(state, dt);
+  addCarefully(state.time, state.lostTime, dt);
+}
+
+}  // namespace carom::world

@@ -1,0 +1,23 @@
+#pragma once
+// One step, as a table.
+//
+// | stage             | reads                          | writes                                  |
+// | updatePairs       | where awake bodies can be      | pairs that began and ended              |
+// | updateManifolds   | poses, shapes, old manifolds   | manifolds, islands joined, bodies woken |
+// | splitIslands      | pairs that ended               | islands, in order                       |
+// | advanceFree       | bodies that nothing is near    | their state at the end, exactly         |
+// | advanceIsland     | one island                     | its bodies at the end of the step       |
+// | reportContacts    | manifolds                      | events                                  |
+// | sleepIslands      | how bodies have moved          | who is awake                            |
+//
+// Each stage is a function in a file of its own. None of them looks at what sleeps or never moves.
+
+#include "carom/world/world_state.hpp"
+
+namespace carom::world {
+
+/// Moves everything on. \param state of the world \param dt length of the step, positive [s]
+/// \ingroup world
+void stepWorld(WorldState& state, Real dt);
+
+}  // namespace carom::world

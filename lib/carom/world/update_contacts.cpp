@@ -1,0 +1,195 @@
+#include "carom/world/update_contacts.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "carom/detection/bounds.hpp"
+#include "carom/manifold/collide.hpp"
+#include "carom/manifold/collide_half_space.hpp"
+#include "carom/manifold/swap_manifold.hpp"
+#include "carom/world/islands.hpp"
+#include "carom/world/move_body.hpp"
+
+namespace carom::world {
+
+namespace {
+
+// How far a point of a body can go in a time, in any direction: by its speed, by what acts on it,
+// and by its turning.
+Real wayOf(const WorldState& state, const BodySlot& body, Real duration, bool isBall) {
+  if (body.asleep || body.kind == BodyKind::immovable) return 0;
+  const Real straight = body.velocity.linear.norm() * duration +
+                        freeAcceleration(state, body).norm() * duration * duration / 2;
+  const Real round = body.velocity.angular.norm() * duration;
+  return straight + (isBall ? 0 : body.reach * std::min(round, Real(2)));
+}
+
+void beginPair(WorldState& state, Index index, const IndexPair& shapes) {
+  if (at(index) >= state.pairs.size()) state.pairs.resize(at(index) + 1);
+  PairSlot& pair = state.pairs[at(index)];
+  pair = PairSlot();
+  pair.alive = true;
+  const ShapeSlot *a = &state.shapes[at(shapes.first)], *b = &state.shapes[at(shapes.second)];
+  pair.shapeA = shapes.first;
+  pair.shapeB = shapes.second;
+  // What cannot be moved is A, whoever was added first.
+  if (isDynamic(state.bodies[at(a->body)]) && !isDynamic(state.bodies[at(b->body)])) {
+    std::swap(a, b);
+    std::swap(pair.shapeA, pair.shapeB);
+  }
+  pair.bodyA = a->body;
+  pair.bodyB = b->body;
+  const Real frictions = a->material.friction * b->material.friction;
+  if (state.settings.friction) pair.friction = std::sqrt(frictions);
+  if (state.settings.restitution) {
+    pair.restitution = combineRestitution(a->material.restitution, b->material.restitution,
+                                          state.settings.restitutionRule);
+  }
+  ++state.counters.pairsBegun;
+  listPair(state, index);
+}
+
+// The forces of the last manifold, for the points that are still there.
+void handOn(const Manifold& old, const std::array<Real, 4>& forces, PairSlot& pair) {
+  pair.force = {};
+  for (int i = 0; i < pair.manifold.count; ++i) {
+    for (int j = 0; j < old.count; ++j) {
+      if (old.points[at(j)].id == pair.manifold.points[at(i)].id) {
+        pair.force[at(i)] = forces[at(j)];
+      }
+    }
+  }
+}
+
+}  // namespace
+
+bool mayMeet(const WorldState& state, Index a, Index b) {
+  const ShapeSlot &p = state.shapes[at(a)], &q = state.shapes[at(b)];
+  if (p.body == q.body) return false;
+  if (!isDynamic(state.bodies[at(p.body)]) && !isDynamic(state.bodies[at(q.body)])) return false;
+  if (p.filter.family != 0 && p.filter.family == q.filter.family) return false;
+  return (p.filter.mask & q.filter.group) != 0 && (q.filter.mask & p.filter.group) != 0;
+}
+
+void moveBoxes(WorldState& state, Index index, Real dt) {
+  const BodySlot& body = state.bodies[at(index)];
+  for (const Index shapeIndex : body.shapes) {
+    ShapeSlot& shape = state.shapes[at(shapeIndex)];
+    const bool turnsInPlace = shape.centred && shape.data->isBall;
+    const Real way = wayOf(state, body, dt, turnsInPlace);
+    const Vector3 room =
+        Vector3::Constant(way + state.settings.touchTolerance + state.settings.restTolerance);
+    shape.swept = boundsOf(shape.data->whole, poseOfShape(body, shape));
+    shape.swept.low -= room;
+    shape.swept.high += room;
+    if (state.settings.pairFinding == PairFinding::allPairs) {
+      const Vector3 everywhere = Vector3::Constant(std::numeric_limits<Real>::infinity());
+      state.broadPhase.move(shapeIndex, {-everywhere, everywhere});
+    } else {
+      state.broadPhase.move(shapeIndex, shape.swept);
+    }
+  }
+}
+
+void endPair(WorldState& state, Index index) {
+  PairSlot& pair = state.pairs[at(index)];
+  if (!pair.alive) return;
+  ++state.counters.pairsEnded;
+  if (pair.touches) state.ended.push_back(eventOf(state, pair));
+  if (pair.island != kNone) releasePair(state, index);
+  pair.alive = false;
+  listPair(state, index);
+}
+
+ContactEvent eventOf(const WorldState& state, const PairSlot& pair) {
+  return {idOfShape(state, pair.shapeA), idOfShape(state, pair.shapeB), idOfBody(state, pair.bodyA),
+          idOfBody(state, pair.bodyB)};
+}
+
+void updatePairs(WorldState& state, Real dt) {
+  for (const Index body : state.awakeBodies) moveBoxes(state, body, dt);
+  const std::int64_t before = state.broadPhase.counters().tested;
+  state.broadPhase.update([&](Index a, Index b) { return mayMeet(state, a, b); });
+  state.counters.pairsTested += state.broadPhase.counters().tested - before;
+  for (const BroadPhase::Event& event : state.broadPhase.ended()) endPair(state, event.slot);
+  for (const BroadPhase::Event& event : state.broadPhase.begun()) {
+    beginPair(state, event.slot, event.pair);
+  }
+}
+
+void makeManifold(WorldState& state, Index index, Real time, Real rest) {
+  PairSlot& pair = state.pairs[at(index)];
+  if (pair.madeAt == time) return;
+  const ShapeSlot &a = state.shapes[at(pair.shapeA)], &b = state.shapes[at(pair.shapeB)];
+  const BodySlot &bodyA = state.bodies[at(pair.bodyA)], &bodyB = state.bodies[at(pair.bodyB)];
+  const auto poseNow = [&](const BodySlot& body, Index number, const ShapeSlot& shape) {
+    if (body.clock == time || body.kind == BodyKind::immovable || body.asleep) {
+      return poseOfShape(body, shape);
+    }
+    const BodyState then = bodyAt(state, number, time);
+    const Pose pose = poseOf(then.orientation, then.position);
+    return shape.centred ? pose : composed(pose, shape.pose);
+  };
+  const Pose A = poseNow(bodyA, pair.bodyA, a), B = poseNow(bodyB, pair.bodyB, b);
+  const Real margin = state.settings.contactMargin +
+                      wayOf(state, bodyA, rest, a.centred && a.data->isBall) +
+                      wayOf(state, bodyB, rest, b.centred && b.data->isBall);
+  const Manifold old = pair.manifold;
+  const std::array<Real, 4> forces = pair.force;
+  if (a.data->isHalfSpace) {
+    pair.manifold =
+        collideHalfSpace(std::get<HalfSpace>(a.data->whole), A, b.data->convex, B, margin);
+  } else if (b.data->isHalfSpace) {
+    pair.manifold =
+        collideHalfSpace(std::get<HalfSpace>(b.data->whole), B, a.data->convex, A, margin);
+    detail::swapBodies(pair.manifold);
+  } else {
+    pair.manifold = collide(a.data->convex, A, b.data->convex, B, &pair.cache, margin);
+    if (a.data->usesAxes && b.data->usesAxes) ++state.counters.axesSearches;
+  }
+  pair.madeAt = time;
+  handOn(old, forces, pair);
+  ++state.counters.manifoldsMade;
+  state.counters.contactPoints += pair.manifold.count;
+}
+
+Real touchGap(const WorldState& state, const PairSlot& pair) {
+  // A few roundings of the largest coordinate that enters a separation.
+  constexpr Real kRoundings = 8 * std::numeric_limits<Real>::epsilon();
+  const Real far = state.bodies[at(pair.bodyB)].position.cwiseAbs().maxCoeff();
+  return state.settings.touchTolerance + kRoundings * far;
+}
+
+bool isClosed(const WorldState& state, const PairSlot& pair, int point) {
+  const Real separation = pair.manifold.points[at(point)].separation;
+  if (separation <= touchGap(state, pair)) return true;
+  return pair.force[at(point)] > 0 && separation <= state.settings.restTolerance;
+}
+
+void updateManifolds(WorldState& state, Real dt) {
+  // Waking adds to the list while it is walked through: what was added is looked at, too.
+  for (std::size_t i = 0; i < state.awakePairs.size(); ++i) {
+    const Index index = state.awakePairs[i];
+    PairSlot& pair = state.pairs[at(index)];
+    ++state.counters.pairsAwake;
+    pair.madeAt = -1;
+    const ShapeSlot &a = state.shapes[at(pair.shapeA)], &b = state.shapes[at(pair.shapeB)];
+    if (meets(a.swept, b.swept)) {
+      for (const Index body : {pair.bodyA, pair.bodyB}) {
+        if (!state.bodies[at(body)].asleep) continue;
+        wakeBody(state, body);
+        moveBoxes(state, body, dt);
+      }
+      makeManifold(state, index, 0, dt);
+      if (pair.island == kNone) joinByPair(state, index);
+    } else {
+      pair.manifold.count = 0;
+      pair.force = {};
+      pair.madeAt = 0;
+      if (pair.island != kNone) releasePair(state, index);
+    }
+  }
+}
+
+}  // namespace carom::world

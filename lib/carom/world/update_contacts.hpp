@@ -1,0 +1,55 @@
+#pragma once
+// Who is near whom, and where do they touch?
+//
+// Method: each awake body says which boxes its shapes can be in during the step: where they are,
+// with room on all sides for the way that they can go. On all sides, and not ahead only, because an
+// impact can turn the way round. The broad phase answers with pairs that began and ended. A pair
+// whose boxes meet gets a manifold that reaches as far as the two can come nearer in the step; it
+// holds its bodies together as an island, and wakes a body that slept.
+// The forces of the last step are handed on to the points that have the same names.
+// Why no manifold for boxes that do not meet: no point can touch in this step.
+// Not handled: what the manifolds are for (contact_phase.hpp).
+
+#include "carom/world/world_state.hpp"
+
+namespace carom::world {
+
+/// Finds the pairs that began or ended. \param state of the world \param dt length of the step [s]
+/// \ingroup world
+void updatePairs(WorldState& state, Real dt);
+
+/// Makes the manifolds of all pairs that are awake, joins and releases pairs and wakes bodies.
+/// \param state of the world \param dt length of the step [s] \ingroup world
+void updateManifolds(WorldState& state, Real dt);
+
+/// Makes the manifold of a pair at a time of this step. \param state of the world
+/// \param index of the pair \param time in this step [s]
+/// \param rest how much of the step is left [s] \ingroup world
+void makeManifold(WorldState& state, Index index, Real time, Real rest);
+
+/// The gap at which approaching points of a pair have met: that of the settings, and what rounding
+/// makes of coordinates. \param state of the world \param pair which \return [m] \ingroup world
+Real touchGap(const WorldState& state, const PairSlot& pair);
+
+/// Whether a point of a pair's manifold is closed: touches, or carried and is hardly off.
+/// \param state of the world \param pair which \param point its number \return true if closed
+/// \ingroup world
+bool isClosed(const WorldState& state, const PairSlot& pair, int point);
+
+/// Takes up where a body may be, so that pairs are found. \param state of the world
+/// \param body any \param dt length of the step [s] \ingroup world
+void moveBoxes(WorldState& state, Index body, Real dt);
+
+/// Whether two shapes may meet at all. \param state of the world \param a one \param b another
+/// \return false if of one body, both not dynamic, or kept apart by their filters \ingroup world
+bool mayMeet(const WorldState& state, Index a, Index b);
+
+/// Ends a pair that the broad phase has given up. \param state of the world \param pair its slot
+/// \ingroup world
+void endPair(WorldState& state, Index pair);
+
+/// The event of a pair that begins or ends to touch. \param state of the world \param pair which
+/// \return its ids \ingroup world
+ContactEvent eventOf(const WorldState& state, const PairSlot& pair);
+
+}  // namespace carom::world

@@ -1,0 +1,222 @@
+#pragma once
+// What does a world keep from one step to the next?
+//
+// Plain arrays. A body, a shape and a pair each have a place in one, and are named by its number
+// everywhere inside; only at the door do numbers become ids. What is awake stands in lists of its
+// own, so that a step never looks at what sleeps. A compound is as many shapes here as it has parts:
+// each pair of shapes has one manifold.
+// Not handled: who may change what (world.cpp and the stages it calls).
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "carom/broadphase/broad_phase.hpp"
+#include "carom/impulse/body_motion.hpp"
+#include "carom/impulse/simultaneous_impacts.hpp"
+#include "carom/manifold/manifold.hpp"
+#include "carom/manifold/manifold_cache.hpp"
+#include "carom/motion/free_rotor.hpp"
+#include "carom/solver/contact_patch.hpp"
+#include "carom/world/body.hpp"
+#include "carom/world/counters.hpp"
+#include "carom/world/events.hpp"
+#include "carom/world/ids.hpp"
+#include "carom/world/settings.hpp"
+
+namespace carom::world {
+
+/// Number of a body, shape, pair or island inside a world. \ingroup world
+using Index = std::int32_t;
+
+/// A shape that never changes; worlds and snapshots share it. \ingroup world
+struct ShapeData {
+  Shape whole;         ///< for distances, rays and times of impact
+  ConvexShape convex;  ///< the same for manifolds; of a half-space nothing
+  Real reach = 0;  ///< of a ball its radius: a ball that turns about its middle goes nowhere [m]
+  bool isBall = false;       ///< a ball
+  bool isHalfSpace = false;  ///< a half-space
+  bool usesAxes = false;     ///< manifolds with its like come from separating axes
+};
+
+/// A shape's place in a world. \ingroup world
+struct ShapeSlot {
+  std::uint32_t generation = 0;           ///< of its ids
+  bool alive = false;                     ///< whether the place is taken
+  Index body = kNone;                     ///< whose it is
+  std::shared_ptr<const ShapeData> data;  ///< the shape
+  bool centred = false;                   ///< stands in the middle of its body, unturned
+  Pose pose;                              ///< body's inner frame from shape
+  Material material;                      ///< friction and bounce
+  Filter filter;                          ///< what it meets
+  Aabb<3> swept;                          ///< where it can be in this step [m, world]
+};
+
+/// How a body moved freely since the last time that something changed its rotation.
+/// \ingroup world
+struct RotorAnchor {
+  FreeRotor rotor;  ///< from the state at the anchor
+  Real since = 0;   ///< time since then [s]
+  Real lost = 0;    ///< what rounding took from `since` [s]
+};
+
+/// A body's place in a world. Inside a body stands at its centre of mass, and along its principal
+/// axes unless its inertia is that of a ball. \ingroup world
+struct BodySlot {
+  std::uint32_t generation = 0;        ///< of its ids
+  bool alive = false;                  ///< whether the place is taken
+  BodyKind kind = BodyKind::dynamic;   ///< what may move it
+  bool maySleep = true;                ///< whether its island may
+  bool asleep = false;                 ///< whether it does
+  bool turnsEvenly = true;             ///< three equal moments, or the switch says so
+  bool isFree = false;                 ///< nothing touches it in this part of the step
+  Index island = kNone;                ///< where it belongs; none: alone, or not dynamic
+  Index awakeAt = kNone;               ///< its place in the list of those awake
+  Index local = kNone;                 ///< its number while an island is worked on
+  Index cluster = kNone;               ///< smallest body that it touches in this part of the step
+  Vector3 position = Vector3::Zero();  ///< centre of mass [m, world]
+  Quaternion orientation;              ///< inner frame to world
+  Velocity velocity;                   ///< [world]
+  Pose pose;                           ///< the same as position and orientation
+  BodyMass mass;                       ///< inverse mass and inertia [world]
+  Real weight = 0;                     ///< its mass; zero unless dynamic [kg]
+  Vector3 moments = Vector3::Zero();   ///< principal moments [kg m^2]
+  Vector3 force = Vector3::Zero();     ///< beside gravity [N, world]
+  Vector3 torque = Vector3::Zero();    ///< [N m, world]
+  Vector3 centre = Vector3::Zero();    ///< centre of mass [m, the user's frame]
+  Quaternion turned;                   ///< inner frame to the user's frame
+  Real reach = 0;                      ///< no point is farther from the centre [m]
+  std::vector<Index> shapes;           ///< its shapes
+  std::optional<std::size_t> anchor;   ///< of its free rotation, in WorldState::anchors
+  Real clock = 0;                      ///< time in this step at which the state above holds [s]
+  Vector3 acceleration = Vector3::Zero();  ///< from then on [m/s^2, world]
+  Vector3 turning = Vector3::Zero();       ///< from then on [rad/s^2, world]
+  Velocity atEnd;                          ///< velocity at the end of the step, if nothing happens
+  Real restTime = 0;                       ///< how long it has been watched for rest [s]
+  Pose restStart, restMiddle;              ///< where it was then, and half way [world]
+  bool restHalf = false;                   ///< the middle has been passed
+  Real restSpeed = 0;                      ///< the fastest of its points since then [m/s]
+};
+
+/// A pair of shapes that are near each other. \ingroup world
+struct PairSlot {
+  bool alive = false;              ///< whether the place is taken
+  Index shapeA = kNone;            ///< one shape; that of the immovable body, if there is one
+  Index shapeB = kNone;            ///< the other
+  Index bodyA = kNone;             ///< body of shapeA
+  Index bodyB = kNone;             ///< body of shapeB
+  Index awakeAt = kNone;           ///< its place in the list of those awake
+  Index island = kNone;            ///< that it holds together, or that of its movable body
+  Index islandAt = kNone;          ///< its place in the island's list
+  bool touches = false;            ///< some point is closed, at the end of the last step
+  bool sticks = false;             ///< friction held it in the last part of a step
+  Real friction = 0;               ///< of the two materials [1]
+  Real restitution = 0;            ///< of the two materials [1]
+  ManifoldCache cache;             ///< hints
+  Manifold manifold;               ///< as of `madeAt`
+  Real madeAt = -1;                ///< time in this step; negative: not in this step [s]
+  std::array<Real, 4> force = {};  ///< along the normal, of each point [N]
+  Vector3 rub = Vector3::Zero();   ///< friction on B [N, world]
+  Real twist = 0;                  ///< its torque about the normal [N m]
+  Real next = std::numeric_limits<Real>::infinity();  ///< when it may meet, in this step [s]
+  Real stop = std::numeric_limits<Real>::infinity();  ///< when it stops slipping, in this step [s]
+};
+
+/// Bodies that are joined by pairs. \ingroup world
+struct IslandSlot {
+  bool alive = false;         ///< whether the place is taken
+  bool awake = true;          ///< whether it is stepped
+  bool mustSplit = false;     ///< a pair has ended: it may be two by now
+  bool unsorted = false;      ///< something was added
+  Index awakeAt = kNone;      ///< its place in the list of those awake
+  std::vector<Index> bodies;  ///< dynamic ones, ascending
+  std::vector<Index> pairs;   ///< pairs that hold it together, and those with immovable bodies
+};
+
+/// A patch that is being solved, and whose it is. \ingroup world
+struct WorkPatch {
+  Index pair = kNone;               ///< whose
+  ContactPatch patch;               ///< as the solver wants it
+  std::array<int, 4> pointOf = {};  ///< numbers of its points in the manifold
+};
+
+/// Memory that stages use again in each step. \ingroup world
+struct Workspace {
+  std::vector<MovingBody> moving;     ///< bodies as the solver sees them
+  std::vector<Index> members;         ///< whose they are
+  std::vector<WorkPatch> patches;     ///< what touches
+  std::vector<ContactBlock> blocks;   ///< the same, prepared
+  std::vector<Index> set;             ///< bodies that something has happened to
+  std::vector<Index> setPairs;        ///< pairs of these
+  std::vector<Index> innerPairs;      ///< of these, pairs whose bodies are all in the set
+  std::vector<Index> labels;          ///< of bodies, while islands are looked for
+  std::vector<IndexPair> links;       ///< pairs of local numbers
+  std::vector<std::uint8_t> flags;    ///< one per local body
+  std::vector<BodyContact> contacts;  ///< of impacts
+  std::vector<Index> contactPairs;    ///< whose
+};
+
+/// Everything. \ingroup world
+struct WorldState {
+  WorldSettings settings;                ///< switches and limits
+  std::vector<BodySlot> bodies;          ///< all bodies, with free places between
+  std::vector<ShapeSlot> shapes;         ///< all shapes
+  std::vector<PairSlot> pairs;           ///< by slot of the broad phase
+  std::vector<IslandSlot> islands;       ///< all islands
+  std::vector<RotorAnchor> anchors;      ///< of bodies that turn freely
+  std::vector<Index> freeBodies;         ///< places that can be used again
+  std::vector<Index> freeShapes;         ///< places that can be used again
+  std::vector<Index> freeIslands;        ///< places that can be used again
+  std::vector<std::size_t> freeAnchors;  ///< places that can be used again
+  std::vector<Index> awakeBodies;        ///< dynamic and kinematic bodies that are awake
+  std::vector<Index> awakePairs;         ///< pairs of which a body is awake
+  std::vector<Index> awakeIslands;       ///< islands that are awake
+  BroadPhase broadPhase;                 ///< by shapes
+  int bodyCount = 0;                     ///< bodies that are alive
+  int sleeping = 0;                      ///< bodies that sleep
+  int islandCount = 0;                   ///< islands that are alive
+  Real time = 0;                         ///< since the beginning [s]
+  Real lostTime = 0;                     ///< what rounding took from it [s]
+  Real lastStep = 0;                     ///< length of the last step [s]
+  Counters counters;                     ///< of the last step
+  std::vector<ContactEvent> begun;       ///< of the last step
+  std::vector<ContactEvent> ended;       ///< of the last step
+  std::vector<ImpactEvent> impacts;      ///< of the last step
+  std::size_t endedBefore = 0;           ///< events in `ended` that a user has had a step to read
+  Workspace work;                        ///< nothing that lasts
+};
+
+/// The number of points, bodies and so on as an index of an array. \param i any number
+/// \return the same \ingroup world
+inline std::size_t at(Index i) {
+  return static_cast<std::size_t>(i);
+}
+
+/// Whether forces move a body. \param body any \return true for a dynamic one \ingroup world
+inline bool isDynamic(const BodySlot& body) {
+  return body.kind == BodyKind::dynamic;
+}
+
+/// Where a shape of a body is. \param body whose \param shape one of its shapes
+/// \return world from shape \ingroup world
+inline Pose poseOfShape(const BodySlot& body, const ShapeSlot& shape) {
+  return shape.centred ? body.pose : composed(body.pose, shape.pose);
+}
+
+/// The id of a body. \param state of the world \param body its number \return its id
+/// \ingroup world
+inline BodyId idOfBody(const WorldState& state, Index body) {
+  return {static_cast<std::uint32_t>(body), state.bodies[at(body)].generation};
+}
+
+/// The id of a shape. \param state of the world \param shape its number \return its id
+/// \ingroup world
+inline ShapeId idOfShape(const WorldState& state, Index shape) {
+  return {static_cast<std::uint32_t>(shape), state.shapes[at(shape)].generation};
+}
+
+}  // namespace carom::world
