@@ -5,7 +5,7 @@ set(CAROM_BOX3D_DIR "" CACHE PATH "Where a build of Box3D was installed, for the
 set(CAROM_JOLT_DIR "" CACHE PATH "Where a build of Jolt was installed, for the suites of scenes (optional)")
 set(scenes ${PROJECT_SOURCE_DIR}/tests/scenes)
 
-add_library(carom_scene_rows STATIC EXCLUDE_FROM_ALL scenes_rows.cpp ${scenes}/engines.cpp)
+add_library(carom_scene_rows STATIC EXCLUDE_FROM_ALL scenes_rows.cpp allocations.cpp ${scenes}/engines.cpp)
 target_link_libraries(carom_scene_rows PUBLIC carom_bench carom_scenes)
 if(TARGET carom::world)
   target_sources(carom_scene_rows PRIVATE ${scenes}/engine_carom.cpp)
@@ -55,3 +55,5 @@ if(CAROM_JOLT_DIR)
 endif()
 
 carom_bench_suite(scenes SOURCES scenes_suite.cpp LIBRARIES carom_scene_rows)
+carom_bench_suite(growth SOURCES growth_suite.cpp LIBRARIES carom_scene_rows)
+carom_bench_suite(skip SOURCES skip_suite.cpp LIBRARIES carom_scene_rows)

@@ -13,6 +13,7 @@
 #include <iostream>
 #include <sstream>
 
+#include "bench/allocations.hpp"
 #include "carom_io/table.hpp"
 #include "scenes/engines.hpp"
 
@@ -51,7 +52,12 @@ std::string inHex(std::uint64_t number) {
 std::string runHere(const EngineKind& kind, const Scene& scene, Real dt, int repeats) {
   Json row;
   try {
-    const scenes::Run run = scenes::runScene(kind, scene, dt, repeats);
+    const scenes::Run run = scenes::runScene(
+        kind, scene, dt,
+        {.repeats = repeats, .allocations = allocationsSoFar, .bytes = bytesTaken});
+    row["allocations"] = run.allocations;
+    row["bytes"] = run.bytes;
+    row["steps"] = run.steps;
     row["sim_s"] = run.simulated;
     row["cpu_s"] = run.seconds;
     row["ms_per_step"] = 1000 * run.seconds / static_cast<Real>(run.steps);

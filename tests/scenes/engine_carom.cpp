@@ -1,10 +1,11 @@
 // Carom.
 
+#include "scenes/engine_carom.hpp"
+
 #include <memory>
 #include <vector>
 
 #include "carom/world/world.hpp"
-#include "scenes/engines.hpp"
 
 namespace carom::scenes {
 namespace {
@@ -80,8 +81,10 @@ class CaromEngine : public Engine {
   std::vector<world::BodyId> ids_;
 };
 
-EngineKind kindOf(const std::string& name, const std::string& words,
-                  const world::WorldSettings& settings, bool best) {
+}  // namespace
+
+EngineKind caromWith(const std::string& name, const std::string& words,
+                     const world::WorldSettings& settings, bool best) {
   return {name,
           "this build",
           words,
@@ -90,18 +93,17 @@ EngineKind kindOf(const std::string& name, const std::string& words,
           [settings] { return std::make_unique<CaromEngine>(settings); }};
 }
 
-}  // namespace
-
 std::vector<EngineKind> caromEngines() {
   world::WorldSettings noEvents;
   noEvents.locateEvents = false;
   world::WorldSettings skipsNothing;
   skipsNothing.sleeping = false;
   skipsNothing.pairFinding = world::PairFinding::allPairs;
-  return {kindOf("carom", "as it comes; sleeping only where the scene lets bodies sleep", {}, true),
-          kindOf("carom no events", "impacts and ends of slipping are not located inside the step",
-                 noEvents, false),
-          kindOf("carom skips nothing", "all pairs, nothing sleeps", skipsNothing, false)};
+  return {
+      caromWith("carom", "as it comes; sleeping only where the scene lets bodies sleep", {}, true),
+      caromWith("carom no events", "impacts and ends of slipping are not located inside the step",
+                noEvents, false),
+      caromWith("carom skips nothing", "all pairs, nothing sleeps", skipsNothing)};
 }
 
 }  // namespace carom::scenes

@@ -28,7 +28,7 @@ class CrowdJudge : public Judge {
 Scene crowd(const std::string& name, const std::string& title) {
   Scene scene;
   scene.name = name, scene.title = title;
-  scene.duration = 2, scene.untimed = 1;
+  scene.duration = 1.25, scene.untimed = 1;
   scene.lookEvery = scene.duration;
   scene.judge = [](const Scene& s) { return std::make_unique<CrowdJudge>(s); };
   return scene;

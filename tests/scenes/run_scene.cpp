@@ -52,11 +52,13 @@ Real medianOf(std::vector<Real> values) {
 
 }  // namespace
 
-Run runScene(const EngineKind& kind, const Scene& scene, Real dt, int repeats) {
+Run runScene(const EngineKind& kind, const Scene& scene, Real dt, const RunOptions& options) {
+  const int repeats = options.repeats;
   const Division division = divide(scene, dt);
   Run run;
   std::vector<State> states = startOf(scene);
   const std::unique_ptr<Judge> judge = scene.judge(scene);
+  const Real bytesBefore = options.bytes ? options.bytes() : 0;
   const std::unique_ptr<Engine> engine = kind.make();
   engine->build(scene);
   judge->see(0, states);
@@ -64,10 +66,12 @@ Run runScene(const EngineKind& kind, const Scene& scene, Real dt, int repeats) {
   for (long done = 0; done < division.steps;) {
     long now = std::min(division.block, division.steps - done);
     if (done < division.untimed) now = std::min(now, division.untimed - done);
+    const long asked = options.allocations ? options.allocations() : 0;
     const Real before = processorSeconds();
     for (long i = 0; i < now; ++i) engine->step(dt);
     const Real took = processorSeconds() - before;
     if (done >= division.untimed) {
+      if (options.allocations) run.allocations += options.allocations() - asked;
       blocks.push_back(took / static_cast<Real>(now));
       run.seconds += took;
       run.steps += now;
@@ -85,6 +89,7 @@ Run runScene(const EngineKind& kind, const Scene& scene, Real dt, int repeats) {
   run.figures = judge->figures();
   run.counters = engine->counters();
   run.hash = hashOf(scene, states);
+  if (options.bytes) run.bytes = options.bytes() - bytesBefore;
   if (!run.finite || repeats == 0 || run.seconds > kLongEnough) return run;
 
   const long timed = division.steps - division.untimed;

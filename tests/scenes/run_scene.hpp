@@ -23,12 +23,21 @@ struct Run {
   bool finite = true;            ///< whether all states were numbers
   bool repeats = true;           ///< whether every run ended in the same state
   std::uint64_t hash = 0;        ///< of the final state
+  long allocations = 0;          ///< in the steps of the timed part, if they were counted
+  Real bytes = 0;                ///< taken by the engine at the end, if it was measured
+};
+
+/// How a scene is run.
+struct RunOptions {
+  int repeats =
+      0;  ///< runs without a judge, if one takes less than a second; 0: time the judged one
+  std::function<long()> allocations;  ///< how often memory was asked for so far; may be empty
+  std::function<Real()> bytes;        ///< how much memory is taken now; may be empty
 };
 
 /// Runs a scene.
 /// \param kind which engine \param scene what \param dt length of a step [s]
-/// \param repeats runs without a judge, of which the median counts, if one takes less than a second;
-/// 0: time the judged run
-Run runScene(const EngineKind& kind, const Scene& scene, Real dt, int repeats = 0);
+/// \param options repeats and meters \return what came of it
+Run runScene(const EngineKind& kind, const Scene& scene, Real dt, const RunOptions& options = {});
 
 }  // namespace carom::scenes
