@@ -100,6 +100,7 @@ ContactBlock prepareBlock(const ContactPatch& patch, std::span<const MovingBody>
       S(i, j) = coupling(block.tangents[i], block.tangents[j], masses);
     }
   }
+  block.matrix = S;
   // The sum of the diagonal bounds what any impulse can do to the slip along itself.
   Real trace = 0;
   for (int i = 0; i < block.rubs; ++i) trace += S(i, i);

@@ -94,6 +94,7 @@ struct ContactBlock {
   std::array<Real, 4> impulses = {};     ///< along the normal [N s]
   std::array<PushRow, 3> tangents;       ///< the rows of friction
   Vector3 rub = Vector3::Zero();         ///< impulses of the rows of friction [N s]
+  Matrix3 matrix = Matrix3::Identity();  ///< how an impulse changes the slip [1/kg]
   Vector3 slipBefore = Vector3::Zero();  ///< slip along the rows at the start [m/s]
   Matrix3 inverse = Matrix3::Zero();     ///< impulse that takes a slip away [kg]
   Real lightest = 0;                     ///< impulse over slip that is safe in all directions [kg]

@@ -4,26 +4,48 @@
 #include <cmath>
 #include <limits>
 
+#include "carom/impulse/positive_solve.hpp"
+
 namespace carom {
 
 namespace {
 
+// The friction within a cone of the given size that acts against a slip, which is w without it and
+// w + S f with it: f = -(S + s)^-1 w with s = 0 if that sticks, else such that |f| is the limit.
+// Newton's method for 1/|f| - 1/limit, which is almost a straight line in s (Moré and Sorensen 1983).
+Vector3 frictionAgainst(const ContactBlock& block, const Vector3& w, Real limit) {
+  const Vector3 sticking = -(block.inverse * w);
+  if (sticking.squaredNorm() <= limit * limit) return sticking;
+  if (!(limit > 0)) return Vector3::Zero();
+  // Below this the friction is too large, above it too small.
+  const Real reach = w.norm() / limit;
+  Real s = std::max(Real(0), reach - 1 / block.lightest);
+  Vector3 f = sticking;
+  constexpr int kMost = 20;
+  constexpr Real kExact = 4 * std::numeric_limits<Real>::epsilon();
+  for (int i = 0; i < kMost; ++i) {
+    const PositiveSolve solve(block.matrix + s * Matrix3::Identity());
+    f = -solve.solve(w);
+    const Real size = f.norm();
+    if (std::abs(size - limit) <= kExact * limit) break;
+    const Real slope = f.dot(solve.solve(f));  // of -|f|^2 / 2
+    s = std::max(Real(0), s + (size - limit) / limit * size * size / slope);
+  }
+  return limit / f.norm() * f;
+}
+
 // The friction that a block asks for, with the slip that it sees now and the pressure it has now.
 Vector3 wantedRub(const ContactBlock& block, const Vector3& slip, Real pressed) {
   const Real limit = block.friction * pressed;
-  if (block.slips) {
-    // Against the mean of the slips at both ends; against the first one if it has turned round.
-    const bool ahead = block.slipBefore.dot(slip) > 0;
-    const Vector3 along = ahead ? Vector3(block.slipBefore + slip) : block.slipBefore;
-    return -limit / along.norm() * along;
+  const Vector3 without = slip - block.matrix * block.rub;
+  if (!block.slips) return frictionAgainst(block, without, limit);
+  // Against the sum of the slips at both ends, unless that can be brought to nothing: then the slip
+  // turns round within the step, and until then friction is against what it was.
+  const Vector3 sum = block.slipBefore + without;
+  if ((block.inverse * sum).squaredNorm() > limit * limit) {
+    return frictionAgainst(block, sum, limit);
   }
-  const Vector3 sticking = block.rub - block.inverse * slip;
-  if (sticking.squaredNorm() <= limit * limit) return sticking;
-  // On the cone friction points against the slip: what stays when a small step along it is taken
-  // and put back onto the cone.
-  const Vector3 next = block.rub - block.lightest * slip;
-  const Real size = next.norm();
-  return size > limit ? Vector3(limit / size * next) : next;
+  return -limit / block.slipBefore.norm() * block.slipBefore;
 }
 
 // One visit. Returns the largest change of a speed.
