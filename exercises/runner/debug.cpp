@@ -72,6 +72,34 @@ std::vector<std::string> debuggerCommand(const fs::path& program, const Stop& st
 
 }  // namespace
 
+namespace {
+
+// The same for an editor that drives gdb by itself: one program and one file of commands, always at the same place.
+void leaveForEditors(const Project& project, const fs::path& program, const Stop& stop) {
+  const fs::path folder = project.build / "debug";
+  std::error_code none;
+  fs::remove(folder / "program", none);
+  fs::create_symlink(program, folder / "program", none);
+  std::string commands = "set breakpoint pending on\n";
+  for (const auto& entry : stop.environment) {
+    const auto equals = entry.find('=');
+    commands +=
+        "set environment " + entry.substr(0, equals) + " " + entry.substr(equals + 1) + "\n";
+  }
+  commands += "set args";
+  for (const auto& argument : stop.arguments) commands += " " + argument;
+  commands += "\n";
+  if (!stop.functions.empty()) {
+    commands += "tbreak " + stop.functions.front() + "\ncommands\nsilent\n";
+    for (std::size_t i = 1; i < stop.functions.size(); ++i)
+      commands += "break " + stop.functions[i] + "\n";
+    commands += "continue\nend\n";
+  }
+  writeFile(folder / "commands.gdb", commands);
+}
+
+}  // namespace
+
 std::string shellText(const std::vector<std::string>& command) {
   std::string text;
   for (const auto& word : command) {
@@ -148,6 +176,7 @@ DebugSession prepareDebugging(const Project& project, const Exercise& exercise,
     stop.arguments = {"--break"};
     session.source = "the assertion that fails";
     session.command = debuggerCommand(program, stop, session.installed);
+    leaveForEditors(project, program, stop);
     return session;
   }
   const fs::path program = linkSelfCheck(project, exercise, compiled.object, folder);
@@ -161,6 +190,7 @@ DebugSession prepareDebugging(const Project& project, const Exercise& exercise,
   stop.arguments = {session.check};
   session.source = names.empty() ? "the question" : names.front();
   session.command = debuggerCommand(program, stop, session.installed);
+  leaveForEditors(project, program, stop);
   return session;
 }
 

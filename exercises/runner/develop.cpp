@@ -507,31 +507,4 @@ json checkAll(const Project& project, const std::vector<const Exercise*>& which,
   return {{"exercises", rows}, {"problems", problems}};
 }
 
-void newExercise(const Project& project, const std::string& chapterText, const std::string& name) {
-  const std::string chapter = project.chapterFolder(chapterText);
-  if (name.empty() ||
-      name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_") != std::string::npos) {
-    throw Failure{usage,
-                  "the name of an exercise is the file name of its function: small letters, "
-                  "digits, underscores"};
-  }
-  const fs::path folder = project.root / "solutions" / chapter / name;
-  if (fs::exists(folder)) throw Failure{usage, folder.string() + " exists already"};
-  writeFile(folder / "exercise.ini",
-            "# Values run to the end of the line.\n"
-            "id = " +
-                chapter.substr(0, 2) + "." + name +
-                "\n"
-                "title = \nkind = implement\nlevel = 1\nminutes = 15\npoints = 1\n"
-                "layer = \nhome = lib/carom/\nread = \nuses = \n\n"
-                "[check.first]\ntitle = \npoints = 1\nwrong = 01_slip\n\n"
-                "[wrong.01_slip]\nsays = \ncheck = first\n\n"
-                "[hint.1]\ntext = \n\n[hint.2]\ntext = \n");
-  writeFile(folder / "statement.md", "");
-  writeFile(folder / "why.md", "");
-  writeFile(folder / (name + ".cpp"), "//# solution\n//# stub\n//# end\n");
-  fs::create_directories(folder / "wrong");
-  fs::create_directories(folder / "right");
-}
-
 }  // namespace carom::runner

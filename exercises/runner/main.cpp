@@ -35,6 +35,8 @@ struct Options {
   int number = 0;
   bool noScreen = false;
   bool printOnly = false;
+  std::string kind = "implement";
+  std::string tests;
   std::uint64_t seed = 0;
   int answerSeconds = 0;
   int compileSeconds = 0;
@@ -409,7 +411,35 @@ int doctor(const Project& project, const Options& o) {
   return allGood ? Exit::pass : Exit::ourFault;
 }
 
-int devCheck(const Project& project, const Options& o) {
+// An exercise that has just been written is not in the build yet: lets CMake look again, and says what is missing.
+void acquaint(Project& project, const Options& o) {
+  auto unknown = [&] {
+    std::vector<const Exercise*> list;
+    for (const auto* e : project.select(o.what.empty() ? "all" : o.what)) {
+      if (!project.manifest.at("exercises").contains(e->id)) list.push_back(e);
+    }
+    return list;
+  };
+  if (unknown().empty()) return;
+  grading::Command cmake;
+  cmake.words = {project.text("cmake"), "-S", project.root.string(), "-B", project.build.string()};
+  cmake.limits = {.wallSeconds = 0, .cpuSeconds = 0, .outputKilobytes = 4096};
+  const auto done = grading::run(cmake);
+  if (!done.ok()) throw Failure{ourFault, "CMake could not configure the project:\n" + done.output};
+  project = openProject(project.root, project.build);
+  std::string problems;
+  for (const auto* e : unknown()) {
+    for (const auto& problem : missingFiles(project, *e)) problems += problem + "\n";
+    const std::string of = e->chapter + "/" + e->name + "/";
+    for (const auto& problem : project.problems) {
+      if (problem.starts_with(of)) problems += problem + "\n";
+    }
+  }
+  if (!problems.empty()) throw Failure{checkFailed, problems + "The exercise is not complete yet."};
+}
+
+int devCheck(Project& project, const Options& o) {
+  acquaint(project, o);
   const auto which = project.select(o.what.empty() ? "all" : o.what);
   // All graders, or what the exercises named need.
   std::vector<std::string> targets = {"graders"};
@@ -438,7 +468,8 @@ int devCheck(const Project& project, const Options& o) {
   return result["problems"].empty() ? Exit::pass : Exit::checkFailed;
 }
 
-int devSync(const Project& project, const Options& o) {
+int devSync(Project& project, const Options& o) {
+  acquaint(project, o);
   const auto which = project.select(o.what.empty() ? "all" : o.what);
   buildGraders(project, which, true);
   for (const auto& problem : project.problems) std::cerr << problem << "\n";
@@ -510,6 +541,8 @@ int main(int argc, char** argv) {
   auto* newVerb = developVerb->add_subcommand("new", "Files of a new exercise");
   newVerb->add_option("chapter", o.what)->required();
   newVerb->add_option("name", o.second)->required();
+  newVerb->add_option("--kind", o.kind, "implement, fix, measure, predict or test");
+  newVerb->add_option("--tests", o.tests, "Kind test: the exercise whose function is tested");
   auto* syncVerb =
       developVerb->add_subcommand("sync", "Cut skeletons and measure fingerprints anew");
   syncVerb->add_option("what", o.what);
@@ -598,7 +631,10 @@ int main(int argc, char** argv) {
     if (*playVerb) return play(project, o);
     if (*doctorVerb) return doctor(project, o);
     if (*newVerb) {
-      newExercise(project, o.what, o.second);
+      for (const auto& file : newExercise(
+               project, {.chapter = o.what, .name = o.second, .kind = o.kind, .tests = o.tests}))
+        std::cout << "wrote " << file << "\n";
+      std::cout << "Fill them in; ./course dev check " << o.second << " says what is missing.\n";
       return Exit::pass;
     }
     if (*syncVerb) return devSync(project, o);

@@ -35,6 +35,13 @@ std::string labelled(const View& view, const std::string& label, const std::stri
   return "    " + padded(label, 11) + block.substr(indent.size()) + "\n";
 }
 
+// For editors: a check that fails, at the student's file.
+std::string whereLine(const CheckResult& check, const ExerciseResult& result,
+                      const std::string& asked = "") {
+  return "Where: " + result.exercise->studentFile().string() + ", check \"" + check.title + "\"" +
+         (asked.empty() ? "" : ", " + asked) + "\n";
+}
+
 std::string failureText(const CheckResult& check, const ExerciseResult& result,
                         const Project& project, const View& view) {
   std::string text;
@@ -74,12 +81,15 @@ std::string failureText(const CheckResult& check, const ExerciseResult& result,
                          std::to_string(result.probes) + " probes]");
   }
   std::error_code none;
-  if (!value("file").empty()) {
-    text += labelled(view, "Where",
-                     result.exercise->studentFile().string() + "   asked in " +
-                         fs::relative(value("file"), project.root, none).string() + ":" +
-                         std::to_string(f.value("line", 0)));
-  }
+  const std::string asked = value("file").empty()
+                                ? ""
+                                : "asked in " +
+                                      fs::relative(value("file"), project.root, none).string() +
+                                      ":" + std::to_string(f.value("line", 0));
+  if (view.plain)
+    text += whereLine(check, result, asked);
+  else if (!asked.empty())
+    text += labelled(view, "Where", result.exercise->studentFile().string() + "   " + asked);
   for (const auto& c : result.exercise->checks) {
     if (c.name == check.name) {
       text += labelled(view, "Read",
@@ -209,7 +219,8 @@ std::string describeText(const ExerciseResult& result, const Project& project, c
       }
     } else if (e.isTest() && check.status != Status::notRun) {
       // Versions that got through have nothing to do with each other.
-      text += verdictLine(result, i, view) + labelled(view, "Because", check.reason);
+      text += verdictLine(result, i, view) + labelled(view, "Because", check.reason) +
+              (view.plain ? whereLine(check, result) : "");
     } else {
       ++more;
     }
