@@ -105,7 +105,7 @@ class Child : public Channel {
   }
 
   ~Child() override {
-    if (pid_ > 0) stop();
+    if (pid_ > 0) stop(0);
   }
 
   void send(const std::string& bytes) override {
@@ -191,12 +191,12 @@ class Child : public Channel {
     }
   }
 
-  int stop() {
+  /// \param patience milliseconds for a child that is about to end by itself to leave its own exit status
+  int stop(int patience) {
     close(to_);
-    // Give a child that is about to end by itself the time to leave its own exit status.
     int status = 0;
     bool ended = false;
-    for (int i = 0; i < 50 && !ended; ++i) {
+    for (int i = 0; i < patience && !ended; ++i) {
       ended = waitpid(pid_, &status, WNOHANG) == pid_;
       if (!ended) usleep(1000);
     }
@@ -216,7 +216,7 @@ class Child : public Channel {
   }
 
   [[noreturn]] void fail(std::string reason = "") {
-    const int status = stop();
+    const int status = stop(50);
     stopped_ = !reason.empty() ? reason : describeEnd(status) + " instead of answering";
     throw SubmissionStopped(stopped_);
   }
