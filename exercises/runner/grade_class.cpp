@@ -40,6 +40,23 @@ std::vector<const Exercise*> exercisesOf(const Project& project, const Course& c
   return which;
 }
 
+std::string measuredVersion(const Project& project) {
+  std::vector<fs::path> files;
+  for (const char* folder : {"lib/carom", "chapters", "tests/grading", "tests/graders"}) {
+    std::error_code none;
+    for (const auto& file : fs::recursive_directory_iterator(project.root / folder, none)) {
+      const auto end = file.path().extension();
+      if (end == ".cpp" || end == ".hpp" || end == ".json") files.push_back(file.path());
+    }
+  }
+  for (const auto& e : project.exercises) files.push_back(e.folder / "exercise.ini");
+  std::sort(files.begin(), files.end());
+  std::string all = project.text("compiler_id");
+  for (const auto& file : files)
+    all += file.lexically_relative(project.root).string() + hashOf(readIfThere(file).value_or(""));
+  return hashOf(all);
+}
+
 json courseRecord(const Project& project, const Course& course,
                   const std::vector<const Exercise*>& which, const std::string& sandbox,
                   const std::string& today) {
@@ -80,8 +97,8 @@ json courseRecord(const Project& project, const Course& course,
 // Takes what differs between machines and runs out of texts: folders, and bytes that are no text.
 class Neutral {
  public:
-  Neutral(const Project& project, const fs::path& staging) {
-    for (const auto& folder : {staging, project.build, project.root})
+  Neutral(const Project& project, const fs::path& work) {
+    for (const auto& folder : {work, project.build, project.root})
       folders_.push_back(fs::absolute(folder).lexically_normal().string() + "/");
   }
   json operator()(const json& value) const {
@@ -161,9 +178,9 @@ std::string statusOf(const json& checks) {
 
 class Grader {
  public:
-  Grader(const Project& project, const fs::path& staging, const grading::Sandbox& sandbox,
+  Grader(const Project& project, const grading::Sandbox& sandbox,
          const std::vector<std::string>& checks)
-      : project_(project), neutral_(project, staging), sandbox_(sandbox), checks_(checks) {}
+      : project_(project), sandbox_(sandbox), checks_(checks) {}
 
   // One file, for every student who handed in these bytes.
   // \return a result per seed
@@ -180,7 +197,7 @@ class Grader {
       } catch (const std::exception& error) {
         result = fault(exercise, error.what());
       }
-      results.push_back(neutral_(result));
+      results.push_back(Neutral(project_, source.parent_path())(result));
     }
     return results;
   }
@@ -219,8 +236,7 @@ class Grader {
     json checks = json::array();
     for (const auto& c : exercise.checks)
       checks.push_back({{"name", c.name}, {"status", nameOf(Status::ourFault)}});
-    return neutral_(
-        {{"status", nameOf(Status::ourFault)}, {"reason", why}, {"checks", std::move(checks)}});
+    return {{"status", nameOf(Status::ourFault)}, {"reason", why}, {"checks", std::move(checks)}};
   }
 
  private:
@@ -304,7 +320,6 @@ class Grader {
   }
 
   const Project& project_;
-  Neutral neutral_;
   const grading::Sandbox& sandbox_;
   std::vector<std::string> checks_;
 };
@@ -473,14 +488,15 @@ int gradeAll(const Project& project, const Course& course, const GradeOptions& o
   std::size_t finished = 0;
   std::string lost;
   const auto work = [&] {
-    Grader grader(project, staging.path(), best, wanted.checks);
+    Grader grader(project, best, wanted.checks);
     for (std::size_t u = next++; u < units.size(); u = next++) {
       const Unit& unit = units[u];
       const Exercise& e = *unit.exercise;
       try {
         const fs::path folder = staging.path() / std::to_string(u);
         std::call_once(tried.at(&e), [&] {
-          broken.at(&e) = grader.canary(e, staging.path() / ("answer-" + e.id));
+          const fs::path answer = staging.path() / ("answer-" + e.id);
+          broken.at(&e) = Neutral(project, answer)(grader.canary(e, answer));
         });
         std::vector<std::uint64_t> seeds;
         for (const auto i : unit.students)
@@ -601,20 +617,11 @@ int gradeAll(const Project& project, const Course& course, const GradeOptions& o
 }  // namespace
 
 std::string courseVersion(const Project& project) {
-  std::vector<fs::path> files;
-  for (const char* folder : {"lib/carom", "chapters", "tests/grading", "tests/graders"}) {
-    std::error_code none;
-    for (const auto& file : fs::recursive_directory_iterator(project.root / folder, none)) {
-      const auto end = file.path().extension();
-      if (end == ".cpp" || end == ".hpp" || end == ".json") files.push_back(file.path());
-    }
-  }
-  for (const auto& e : project.exercises) files.push_back(e.folder / "exercise.ini");
-  std::sort(files.begin(), files.end());
-  std::string all = project.text("compiler_id");
-  for (const auto& file : files)
-    all += file.lexically_relative(project.root).string() + hashOf(readIfThere(file).value_or(""));
-  return hashOf(all);
+  // Once: who works on the course while a class is graded gets one version for all.
+  static std::map<fs::path, std::string> known;
+  auto& version = known[project.root];
+  if (version.empty()) version = measuredVersion(project);
+  return version;
 }
 
 int gradeClass(const Project& project, const Course& course, const GradeOptions& options) {

@@ -14,6 +14,7 @@
 #include "runner/records.hpp"
 #include "runner/skeleton.hpp"
 #include "teach/archives.hpp"
+#include "teach/sample.hpp"
 
 using namespace carom::runner;
 using carom_test::ContainsSubstring;
@@ -389,6 +390,7 @@ TEST_CASE("a student or a check is graded anew from what was kept, and nothing e
   options.check = kProduct + "/no_such_check";
   CHECK_THAT(carom_test::failureOf([&] { regradeClass(project(), school().course(), options); }),
              ContainsSubstring("has no check 'no_such_check'"));
+  options.check.clear();
   options.only = "nobody";
   CHECK_THAT(carom_test::failureOf([&] { regradeClass(project(), school().course(), options); }),
              ContainsSubstring("no submission of 'nobody'"));
@@ -403,8 +405,8 @@ TEST_CASE("what was graded before is not graded again, and a better answer is") 
   writeRecord(recordFile(out, "ann"), record);
   const fs::path class2 = school().out("class2");
   fs::remove_all(class2);
-  fs::copy(school().at("ann.zip"), class2 / "ann.zip");
   writeFile(class2 / "eli/hamilton_product.cpp", answer("hamilton_product"));
+  fs::copy(school().at("ann.zip"), class2 / "ann.zip");
   auto options = school().options("three");
   options.from = {class2};
   REQUIRE(gradeClass(project(), school().course(), options) == 0);
@@ -518,4 +520,113 @@ TEST_CASE("the program itself grades a single submission") {
   const auto row = rows(out / "grades.csv").at("Ann Example");
   CHECK(row.at("points") == "3");
   CHECK(row.at("of") == "3");
+}
+
+TEST_CASE("the grader gives right versions everything, skeletons nothing, and names wrong ones") {
+  // The rest of the exercises: see sample_class.cpp.
+  std::vector<const Exercise*> which;
+  for (const auto* id : {&kProduct, &kPoint, &kDrift}) which.push_back(&project().find(*id));
+  const fs::path folder = school().out("versions");
+  carom_test::writeVersions(which, folder);
+  auto options = school().options("versions-graded");
+  options.from = {folder};
+  REQUIRE(gradeClass(project(), school().course(), options) == 0);
+  const auto verdict = carom_test::judge(which, readRecords(options.out));
+  for (const auto& problem : verdict.problems) {
+    INFO(problem);
+    CHECK(false);
+  }
+  CHECK(verdict.right == 3 + 2 + 2 + 1);
+  CHECK(verdict.skeletons == 3);
+  CHECK(verdict.wrong == 3 + 5 + 3);
+}
+
+namespace {
+
+// The course's program as the templates call it.
+fs::path courseProgram() {
+  const fs::path program = school().out("course program");
+  writeFile(program, "#!/bin/sh\nexec '" + std::string(CAROM_RUNNER) + "' --root '" +
+                         kSource.string() + "' --build '" + CAROM_BUILD_DIR + "' \"$@\"\n");
+  fs::permissions(program, fs::perms::owner_all);
+  return program;
+}
+
+carom::grading::Finished script(const std::vector<std::string>& words,
+                                std::vector<std::string> environment) {
+  carom::grading::Command command;
+  command.words = words;
+  environment.push_back("CAROM_COURSE=" + courseProgram().string());
+  command.environment = environment;
+  command.limits = {.wallSeconds = 300, .cpuSeconds = 0, .outputKilobytes = 4096};
+  return carom::grading::run(command);
+}
+
+const fs::path kTemplates = kSource / "docs/teaching/templates";
+
+}  // namespace
+
+TEST_CASE("the autograder for Gradescope writes what Gradescope reads") {
+  const fs::path root = school().out("autograder");
+  const fs::path course = root / "source/carom";
+  fs::create_directories(course / "docs/teaching");
+  fs::create_directory_symlink(kTemplates, course / "docs/teaching/templates");
+  fs::copy(school().out("course.ini"), course / "course.ini");
+  writeFile(root / "submission/rotate_point.cpp", answer("rotate_point"));
+  writeFile(root / "submission_metadata.json",
+            "{\"id\": 7, \"users\": [{\"id\": 1, \"email\": \"ann@example.org\",\n"
+            "\"name\": \"Ann\"}], \"assignment\": {\"title\": \"x\"}}");
+  const auto done = script(
+      {"bash", (kTemplates / "gradescope/run_autograder").string()},
+      {"AUTOGRADER=" + root.string(), "COURSE_FILE=course.ini", "COURSE_SECRET=not to be guessed"});
+  INFO(done.output);
+  REQUIRE(done.exitCode == 0);
+  const json results = parsed(root / "results/results.json");
+  CHECK(results.at("score") == 4);
+  CHECK(readFile(course / "seed.secret") == "not to be guessed\n");
+  // What cannot be graded leaves no results behind.
+  fs::remove(root / "results/results.json");
+  const auto failed = script({"bash", (kTemplates / "gradescope/run_autograder").string()},
+                             {"AUTOGRADER=" + root.string(), "COURSE_FILE=none.ini"});
+  CHECK(failed.exitCode == 1);
+  CHECK_FALSE(fs::exists(root / "results/results.json"));
+}
+
+TEST_CASE("jobs share a class, and their reports join") {
+  const fs::path handed = school().out("shared");
+  for (const char* student : {"ada", "bo", "col"})
+    writeFile(handed / student / "naive_drift.txt", answer("naive_drift", ".txt"));
+  const fs::path parts = school().out("shares");
+  for (const char* index : {"1", "2"}) {
+    const auto done =
+        script({"sh", (kTemplates / "grade_share.sh").string(), school().out("").string(),
+                handed.string(), parts.string(), index, "2"},
+               {"COURSE_FILE=course.ini", "CAROM_TRUST=yes"});
+    INFO(done.output);
+    REQUIRE(done.exitCode == 0);
+  }
+  REQUIRE(mergeReports({parts}, school().out("shares-joined")) == 0);
+  const auto grades = rows(school().out("shares-joined") / "grades.csv");
+  CHECK(grades.size() == 3);
+  for (const auto& [student, row] : grades) CHECK(row.at(kDrift) == "3");
+}
+
+TEST_CASE("the templates' scripts parse, and name only scripts that exist") {
+  int files = 0;
+  for (const auto& file : fs::recursive_directory_iterator(kTemplates)) {
+    if (!file.is_regular_file()) continue;
+    ++files;
+    const std::string content = readFile(file.path());
+    INFO(file.path().string());
+    // YAML knows no tabs.
+    if (file.path().extension() == ".yml") CHECK(content.find('\t') == content.npos);
+    if (content.starts_with("#!"))
+      CHECK(script({"bash", "-n", file.path().string()}, {}).exitCode == 0);
+    const std::string folder = "docs/teaching/templates/";
+    for (auto at = content.find(folder); at != content.npos; at = content.find(folder, at + 1)) {
+      const auto end = content.find_first_of(" \"\n", at);
+      CHECK(fs::exists(kSource / content.substr(at, end - at)));
+    }
+  }
+  CHECK(files == 8);
 }
