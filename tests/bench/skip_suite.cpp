@@ -95,19 +95,32 @@ struct Idea {
   void (*switchOff)(carom::world::WorldSettings&);
 };
 
-const std::vector<Idea> kIdeas{
-    {"pairs by a tree", Quiet::immovable, "pairs tested",
-     [](carom::world::WorldSettings& s) { s.pairFinding = carom::world::PairFinding::allPairs; }},
-    {"pairs by a tree", Quiet::resting, "pairs tested",
-     [](carom::world::WorldSettings& s) { s.pairFinding = carom::world::PairFinding::allPairs; }},
-    {"sleeping", Quiet::resting, "rows solved",
-     [](carom::world::WorldSettings& s) { s.sleeping = false; }},
-    {"no gyroscopic term for balls", Quiet::unturned, "exact rotations",
-     [](carom::world::WorldSettings& s) { s.exactRotation = false; }},
-    {"no friction rows without friction", Quiet::frictionless, "friction rows",
-     [](carom::world::WorldSettings& s) { s.friction = false; }},
-    {"no first contacts of the slow", Quiet::frictionless, "first contacts",
-     [](carom::world::WorldSettings& s) { s.continuous = false; }}};
+void allPairs(carom::world::WorldSettings& settings) {
+  settings.pairFinding = carom::world::PairFinding::allPairs;
+}
+
+void noSleep(carom::world::WorldSettings& settings) {
+  settings.sleeping = false;
+}
+
+const std::vector<Idea> kIdeas{{"pairs by a tree", Quiet::immovable, "pairs tested", allPairs},
+                               {"pairs by a tree", Quiet::resting, "pairs tested", allPairs},
+                               {"pairs by a tree", Quiet::flying, "pairs tested", allPairs},
+                               {"pairs by a tree", Quiet::frictionless, "pairs tested", allPairs},
+                               {"sleeping", Quiet::resting, "bodies awake", noSleep},
+                               {"sleeping", Quiet::resting, "rows solved", noSleep}};
+
+// Work that a crowd gives no reason for: must not have been done once.
+struct Needless {
+  Quiet crowd;
+  const char* counter;
+};
+
+const std::vector<Needless> kNeedless{
+    {Quiet::unturned, "axes searches"},     {Quiet::unturned, "exact rotations"},
+    {Quiet::unturned, "friction rows"},     {Quiet::frictionless, "axes searches"},
+    {Quiet::frictionless, "friction rows"}, {Quiet::flying, "axes searches"},
+    {Quiet::flying, "manifolds made"}};
 
 void ideas(const SceneOptions& options, Json& rows) {
   carom::io::Table table;
@@ -136,7 +149,34 @@ void ideas(const SceneOptions& options, Json& rows) {
     table.row({idea.name, carom::scenes::nameOf(idea.crowd), idea.counter, count(0), count(1),
                both[0]["hash"] == both[1]["hash"] ? "yes" : "no"});
   }
-  std::cout << "Each idea by itself, 1000 bodies beside the ten\n\n" << table << '\n';
+  std::cout << "Each idea by itself, 1000 bodies beside the ten; counts are means of a step\n\n"
+            << table << '\n';
+}
+
+void needless(const SceneOptions& options, Json& rows) {
+  carom::io::Table table;
+  table.column("crowd").column("counter").column("a step", carom::io::significant(4));
+  table.column("ten alone", carom::io::significant(4));
+  for (const Needless& work : kNeedless) {
+    Json both[2];
+    for (int crowd = 0; crowd < 2; ++crowd) {
+      const auto scene =
+          carom::scenes::quietScene(work.crowd, crowd == 0 ? 0 : std::min(1000, options.most));
+      both[crowd] = carom::bench::rowOf("skip", carom::scenes::caromWith("carom", "", {}), scene,
+                                        options.rates.front(), options);
+    }
+    rows.push_back(both[1]);
+    if (both[0].contains("failed") || both[1].contains("failed")) {
+      table.row({carom::scenes::nameOf(work.crowd), work.counter, "failed", ""});
+    } else {
+      table.row({carom::scenes::nameOf(work.crowd), work.counter,
+                 both[1]["counters"][work.counter].get<Real>(),
+                 both[0]["counters"][work.counter].get<Real>()});
+    }
+  }
+  std::cout << "Work that the crowd gives no reason for: no more than ten alone\n\n"
+            << table << '\n'
+            << std::flush;
 }
 
 #endif
@@ -151,6 +191,7 @@ int main(int argc, char** argv) {
   Json rows = Json::array();
 #if defined(CAROM_SCENES_WORLD)
   ideas(options, rows);
+  needless(options, rows);
 #endif
   race(options, rows);
   figures["rows"] = rows;

@@ -29,7 +29,7 @@ Scene crowd(const std::string& name, const std::string& title) {
   Scene scene;
   scene.name = name, scene.title = title;
   scene.duration = 1.25, scene.untimed = 1;
-  scene.lookEvery = scene.duration;
+  scene.lookEvery = 1.0 / 12;
   scene.judge = [](const Scene& s) { return std::make_unique<CrowdJudge>(s); };
   return scene;
 }

@@ -33,6 +33,15 @@ bool allFinite(const std::vector<State>& states) {
   });
 }
 
+void addCounters(const std::vector<Figure>& now, std::vector<Figure>& sum, long& looks) {
+  if (sum.empty()) {
+    sum = now;
+  } else {
+    for (std::size_t i = 0; i < now.size(); ++i) sum[i].value += now[i].value;
+  }
+  ++looks;
+}
+
 // How a scene is divided into steps.
 struct Division {
   long steps, untimed, block;
@@ -63,6 +72,7 @@ Run runScene(const EngineKind& kind, const Scene& scene, Real dt, const RunOptio
   engine->build(scene);
   judge->see(0, states);
   std::vector<Real> blocks;
+  long looks = 0;
   for (long done = 0; done < division.steps;) {
     long now = std::min(division.block, division.steps - done);
     if (done < division.untimed) now = std::min(now, division.untimed - done);
@@ -83,11 +93,12 @@ Run runScene(const EngineKind& kind, const Scene& scene, Real dt, const RunOptio
       break;
     }
     judge->see(static_cast<Real>(done) * dt, states);
+    if (done > division.untimed) addCounters(engine->counters(), run.counters, looks);
   }
   run.medianStep = medianOf(blocks);
   run.simulated = static_cast<Real>(run.steps) * dt;
   run.figures = judge->figures();
-  run.counters = engine->counters();
+  for (Figure& counter : run.counters) counter.value /= static_cast<Real>(looks);
   run.hash = hashOf(scene, states);
   if (options.bytes) run.bytes = options.bytes() - bytesBefore;
   if (!run.finite || repeats == 0 || run.seconds > kLongEnough) return run;

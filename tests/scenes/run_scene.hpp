@@ -15,7 +15,7 @@ namespace carom::scenes {
 /// What came of a run.
 struct Run {
   std::vector<Figure> figures;   ///< of the judge
-  std::vector<Figure> counters;  ///< of the engine
+  std::vector<Figure> counters;  ///< of the engine: mean over the steps before a look
   Real seconds = 0;              ///< of processor time, in the part that is timed [s]
   Real simulated = 0;            ///< in the same part [s]
   Real medianStep = 0;           ///< processor time of a step, median of the blocks [s]
