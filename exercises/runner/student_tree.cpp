@@ -138,6 +138,18 @@ std::string withoutReferences(const std::string& page, const std::set<std::strin
   return out;
 }
 
+// A page without what it says to teachers.
+std::string withoutTeaching(const std::string& page) {
+  std::string out;
+  bool teaching = false;
+  for (const auto& line : splitLines(page)) {
+    if (line.starts_with("## "))
+      teaching = line.starts_with("## Teaching") || line.starts_with("## For teachers");
+    if (!teaching) out += line + "\n";
+  }
+  return out;
+}
+
 class Maker {
  public:
   explicit Maker(const Cut& cut) : cut_(cut) {}
@@ -300,7 +312,9 @@ class Maker {
                         path.ends_with(".hpp");
       if (!text || !cut_.files.count(path) || path == "README.md") continue;
       const std::string before = read(path);
-      const std::string after = withoutReferences(withoutAnswers(before), gone);
+      const bool front = path == "docs/index.md";
+      const std::string after =
+          withoutReferences(withoutAnswers(front ? withoutTeaching(before) : before), gone);
       if (after != before) put(path, after);
     }
     // A statement may refer to a page too.
@@ -318,10 +332,8 @@ class Maker {
   void readme() {
     if (!tree_.count("README.md")) return;
     std::string out;
-    bool teaching = false;
-    for (const auto& line : splitLines(read("README.md"))) {
-      if (line.starts_with("## ")) teaching = line == "## Teaching";
-      if (!teaching && line.find("`solutions/`") == std::string::npos) out += line + "\n";
+    for (const auto& line : splitLines(withoutTeaching(read("README.md")))) {
+      if (line.find("`solutions/`") == std::string::npos) out += line + "\n";
     }
     put("README.md", out);
   }

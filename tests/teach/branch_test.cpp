@@ -288,7 +288,7 @@ TEST_CASE("branches of two weeks: no answers, no history, diffs that are the les
   CHECK(page.find("\\answer rotation/hamilton_product.cpp") == std::string::npos);
   CHECK_THAT(page, ContainsSubstring("kept back: you write it in exercise \\ref "
                                      "exercise_01_hamilton_product"));
-  CHECK(copy.git("show student:docs/index.md").find("teachers") == std::string::npos);
+  CHECK(copy.git("show student:docs/index.md").find("page teachers") == std::string::npos);
 
   // What is hidden has no test case, no section and no misunderstanding.
   const std::string grader =
