@@ -72,6 +72,18 @@ ContactBlock prepareBlock(const ContactPatch& patch, std::span<const MovingBody>
     block.targets[i] = point.target;
     block.impulses[i] = point.impulse;
   }
+  if (patch.count > 1) {
+    PatchPoint mean;
+    for (int i = 0; i < patch.count; ++i) {
+      mean.armA += patch.points[i].armA / patch.count;
+      mean.armB += patch.points[i].armB / patch.count;
+      mean.drift += patch.points[i].drift / patch.count;
+    }
+    block.together = makeRow(n, cross(mean.armA, n), cross(mean.armB, n), a, b);
+    block.together.drift = n.dot(mean.drift);
+    const Real inverse = coupling(block.together, block.together, masses);
+    block.togetherMass = inverse > 0 ? 1 / inverse : 0;
+  }
   if (!(patch.friction > 0) || !(masses > 0)) return block;
 
   // Friction acts at the centre of pressure.

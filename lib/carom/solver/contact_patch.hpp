@@ -81,19 +81,21 @@ inline void pushAlong(const PushRow& row, Real impulse, MovingBody& a, MovingBod
 
 /// A patch, ready to be swept over. \ingroup solver
 struct ContactBlock {
-  int bodyA = 0;                         ///< number of body A
-  int bodyB = 0;                         ///< number of body B
-  int count = 0;                         ///< points
-  int rubs = 0;                          ///< rows of friction: 0, 2, or 3 with the turn
-  bool slips = false;                    ///< slips at the start
-  Real friction = 0;                     ///< mu [1]
-  Real radius = 0;                       ///< mean distance of the points from the centre [m]
-  std::array<PushRow, 4> normals;        ///< along the normal, one per point
-  std::array<Real, 4> masses = {};       ///< effective, zero if nothing can move [kg]
-  std::array<Real, 4> targets = {};      ///< least speed of parting [m/s]
-  std::array<Real, 4> impulses = {};     ///< along the normal [N s]
-  std::array<PushRow, 3> tangents;       ///< the rows of friction
-  Vector3 rub = Vector3::Zero();         ///< impulses of the rows of friction [N s]
+  int bodyA = 0;                      ///< number of body A
+  int bodyB = 0;                      ///< number of body B
+  int count = 0;                      ///< points
+  int rubs = 0;                       ///< rows of friction: 0, 2, or 3 with the turn
+  bool slips = false;                 ///< slips at the start
+  Real friction = 0;                  ///< mu [1]
+  Real radius = 0;                    ///< mean distance of the points from the centre [m]
+  std::array<PushRow, 4> normals;     ///< along the normal, one per point
+  std::array<Real, 4> masses = {};    ///< effective, zero if nothing can move [kg]
+  std::array<Real, 4> targets = {};   ///< least speed of parting [m/s]
+  std::array<Real, 4> impulses = {};  ///< along the normal [N s]
+  PushRow together;                   ///< all points at once, each a like part
+  Real togetherMass = 0;            ///< effective; zero for one point, or if nothing can move [kg]
+  std::array<PushRow, 3> tangents;  ///< the rows of friction
+  Vector3 rub = Vector3::Zero();    ///< impulses of the rows of friction [N s]
   Matrix3 matrix = Matrix3::Identity();  ///< how an impulse changes the slip [1/kg]
   Vector3 slipBefore = Vector3::Zero();  ///< slip along the rows at the start [m/s]
   Matrix3 inverse = Matrix3::Zero();     ///< impulse that takes a slip away [kg]

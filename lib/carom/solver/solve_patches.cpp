@@ -62,6 +62,20 @@ Real visit(ContactBlock& block, MovingBody& a, MovingBody& b) {
     for (int k = 0; k < block.rubs; ++k) pushAlong(block.tangents[k], added[k], a, b);
     change = added.norm() / block.lightest;
   }
+  // First all points together, each a like part: what is even stays even, and a straight stack is
+  // not tilted by the order in which its corners are visited.
+  if (block.togetherMass > 0) {
+    Real target = 0, least = std::numeric_limits<Real>::infinity();
+    for (int i = 0; i < block.count; ++i) {
+      target += block.targets[i] / block.count;
+      least = std::min(least, block.impulses[i]);
+    }
+    const Real missing = target - speedAtEnd(block.together, a, b);
+    const Real share = std::max(-least, block.togetherMass * missing / block.count);
+    for (int i = 0; i < block.count; ++i) block.impulses[i] += share;
+    pushAlong(block.together, block.count * share, a, b);
+    change = std::max(change, std::abs(block.count * share) / block.togetherMass);
+  }
   for (int i = 0; i < block.count; ++i) {
     if (block.masses[i] == 0) continue;
     const Real missing = block.targets[i] - speedAtEnd(block.normals[i], a, b);

@@ -80,7 +80,8 @@ void findClusters(WorldState& state) {
 
 // Something has happened to the bodies of the set, who are all at this time: impacts, then what they
 // do until the end of the step, and when the next thing happens to them.
-void settle(WorldState& state, Index island, Real time, Real dt, bool bounce) {
+// Returns whether their contacts settled.
+bool settle(WorldState& state, Index island, Real time, Real dt, bool bounce) {
   Workspace& work = state.work;
   pairsOfSet(state, island);
   for (const Index index : state.islands[at(island)].bodies) state.bodies[at(index)].local = kNone;
@@ -98,11 +99,13 @@ void settle(WorldState& state, Index island, Real time, Real dt, bool bounce) {
   }
   // Impacts may bring neighbours to collide at once; rounds end when nothing approaches.
   resolveImpacts(state, work.set, inner, time, bounce);
-  solvePhase(state, {.bodies = work.set, .pairs = inner, .start = time, .end = dt});
+  const bool settled =
+      solvePhase(state, {.bodies = work.set, .pairs = inner, .start = time, .end = dt});
   findClusters(state);
   for (const Index pair : work.setPairs) {
     state.pairs[at(pair)].next = nextContact(state, pair, time, dt);
   }
+  return settled;
 }
 
 struct Event {
@@ -134,11 +137,12 @@ void setOfPair(WorldState& state, const IslandSlot& island, const PairSlot& pair
   }
 }
 
-void advanceByEvents(WorldState& state, Index index, Real dt) {
+// Returns false if the contacts do not settle; then nothing but velocities has changed.
+bool advanceByEvents(WorldState& state, Index index, Real dt) {
   const IslandSlot& island = state.islands[at(index)];
   Workspace& work = state.work;
   work.set = island.bodies;
-  settle(state, index, 0, dt, true);
+  if (!settle(state, index, 0, dt, true)) return false;
   // After so many events bodies stop bouncing; after as many again they go where they go.
   const std::size_t most =
       static_cast<std::size_t>(state.settings.eventsPerBody) * (island.bodies.size() + 1);
@@ -154,6 +158,7 @@ void advanceByEvents(WorldState& state, Index index, Real dt) {
     }
     settle(state, index, event.time, dt, count < most);
   }
+  return true;
 }
 
 void advanceAtOnce(WorldState& state, Index index, Real dt) {
@@ -167,15 +172,18 @@ void advanceAtOnce(WorldState& state, Index index, Real dt) {
 }  // namespace
 
 void advanceIsland(WorldState& state, Index index, Real dt) {
-  const IslandSlot& island = state.islands[at(index)];
+  IslandSlot& island = state.islands[at(index)];
   if (state.settings.projectPositions) projectPositions(state, island.bodies, island.pairs);
-  const bool byEvents =
-      state.settings.locateEvents && closedPoints(state, island) <= state.settings.eventContacts;
-  if (byEvents) {
-    advanceByEvents(state, index, dt);
-  } else {
-    advanceAtOnce(state, index, dt);
+  // An island whose contacts do not settle is not tried again in each step.
+  constexpr int kHardFor = 60;
+  bool byEvents = state.settings.locateEvents && island.hardFor == 0 &&
+                  closedPoints(state, island) <= state.settings.eventContacts;
+  island.hardFor = std::max(0, island.hardFor - 1);
+  if (byEvents && !advanceByEvents(state, index, dt)) {
+    island.hardFor = kHardFor;
+    byEvents = false;
   }
+  if (!byEvents) advanceAtOnce(state, index, dt);
   for (const Index body : island.bodies) moveBody(state, body, dt, true);
 }
 

@@ -192,7 +192,7 @@ void storeForces(WorldState& state, Real start, Real duration) {
 
 }  // namespace
 
-void solvePhase(WorldState& state, const PhaseTask& task) {
+bool solvePhase(WorldState& state, const PhaseTask& task) {
   Workspace& work = state.work;
   const Real duration = task.end - task.start;
   gather(state, task.bodies, task.pairs);
@@ -223,7 +223,7 @@ void solvePhase(WorldState& state, const PhaseTask& task) {
         integrateOrientation(body.orientation, body.velocity.angular, duration / 2);
     work.moving[i].mass.inverseInertia = inverseInertiaOf(body, quaternionToMatrix(half));
   }
-  if (work.patches.empty()) return;
+  if (work.patches.empty()) return true;
 
   for (const WorkPatch& one : work.patches) {
     work.blocks.push_back(prepareBlock(one.patch, work.moving));
@@ -235,7 +235,8 @@ void solvePhase(WorldState& state, const PhaseTask& task) {
   for (const ContactBlock& block : work.blocks) warmStart(block, work.moving);
   const SweepLimits limits{
       .least = state.settings.iterations, .rowBudget = state.settings.rowBudget, .speed = scale};
-  state.counters.rowsSolved += solvePatches(work.moving, work.blocks, limits).rows;
+  const Sweeps done = solvePatches(work.moving, work.blocks, limits);
+  state.counters.rowsSolved += done.rows;
 
   for (std::size_t i = 0; i < task.bodies.size(); ++i) {
     BodySlot& body = state.bodies[at(task.bodies[i])];
@@ -245,6 +246,8 @@ void solvePhase(WorldState& state, const PhaseTask& task) {
     body.turning = (body.atEnd.angular - body.velocity.angular) / duration;
   }
   storeForces(state, task.start, duration);
+  constexpr Real kSettled = 1e-9;
+  return done.change <= kSettled * scale;
 }
 
 }  // namespace carom::world

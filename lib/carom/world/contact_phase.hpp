@@ -32,8 +32,10 @@ struct PhaseTask {
 
 /// Solves the contacts of a set of bodies until the end of the step: accelerations and velocities at
 /// the end are set in the bodies, forces in the pairs. A pair whose slipping ends before has that
-/// time in `stop`. \param state of the world \param task what to solve \ingroup world
-void solvePhase(WorldState& state, const PhaseTask& task);
+/// time in `stop`. \param state of the world \param task what to solve
+/// \return whether the sweeps came to an end; if not, times and small speeds mean little
+/// \ingroup world
+bool solvePhase(WorldState& state, const PhaseTask& task);
 
 /// Gives each body of a set its number, and lists it with its velocity. Immovable and kinematic
 /// bodies of the pairs follow. \param state of the world \param bodies dynamic ones

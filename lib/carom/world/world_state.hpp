@@ -128,11 +128,12 @@ struct PairSlot {
 
 /// Bodies that are joined by pairs. \ingroup world
 struct IslandSlot {
-  bool alive = false;         ///< whether the place is taken
-  bool awake = true;          ///< whether it is stepped
-  bool mustSplit = false;     ///< a pair has ended: it may be two by now
-  bool unsorted = false;      ///< something was added
-  Index awakeAt = kNone;      ///< its place in the list of those awake
+  bool alive = false;      ///< whether the place is taken
+  bool awake = true;       ///< whether it is stepped
+  bool mustSplit = false;  ///< a pair has ended: it may be two by now
+  int hardFor = 0;        ///< steps for which it is not tried by events: its contacts do not settle
+  bool unsorted = false;  ///< something was added
+  Index awakeAt = kNone;  ///< its place in the list of those awake
   std::vector<Index> bodies;  ///< dynamic ones, ascending
   std::vector<Index> pairs;   ///< pairs that hold it together, and those with immovable bodies
 };
