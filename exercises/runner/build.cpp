@@ -51,7 +51,7 @@ fs::path link(const Project& project, const std::vector<std::string>& inputs,
   const auto done = grading::run(command);
   if (!done.ok() || (out && !out->take(name.string(), target)))
     throw Failure{ourFault, "linking " + target.filename().string() + " failed: " + done.end +
-                                "\n" + done.output};
+                                "\n" + printable(done.output)};
   return target;
 }
 
@@ -181,11 +181,13 @@ Compiled compileSubmission(const Project& project, const Exercise& exercise, con
     result.ok = out->take(depends.filename(), depends) &&
                 out->take(result.object.filename(), result.object);
   }
-  result.full = done.output;
+  // What it quotes is somebody else's.
+  const std::string said = printable(done.output);
+  result.full = said;
   result.seconds = done.seconds;
   result.included = includedFiles(readIfThere(depends).value_or(""));
   bool found = false;
-  const auto lines = splitLines(done.output);
+  const auto lines = splitLines(said);
   for (std::size_t i = 0; i < lines.size(); ++i) {
     if (lines[i].find("warning:") != std::string::npos) ++result.warnings;
     const bool error = lines[i].find("error:") != std::string::npos;
@@ -208,7 +210,7 @@ Compiled compileSubmission(const Project& project, const Exercise& exercise, con
   if (result.limited) {
     result.firstError = "the compiler was stopped: the file asks too much of it";
   } else if (!result.ok && !found) {
-    result.firstError = trimmed(done.output);
+    result.firstError = trimmed(said);
   }
   return result;
 }

@@ -280,6 +280,8 @@ void screenSource(std::string_view source, Screening& result, bool isTest) {
       }
     }
   }
+  // They quote the file.
+  for (auto& reason : result.refused) reason = printable(reason);
 }
 
 void screenIncludes(const Project& project, const Exercise& exercise,
@@ -354,7 +356,7 @@ void screenObject(const Project& project, const Exercise& exercise, const fs::pa
   std::set<std::string> printing;
   std::set<std::string> seen;
   auto refuse = [&](const std::string& reason) {
-    if (seen.insert(reason).second) result.refused.push_back(reason);
+    if (seen.insert(reason).second) result.refused.push_back(printable(reason));
   };
 
   const auto symbols = symbolsOf(project, object, sandbox);

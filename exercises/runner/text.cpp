@@ -163,6 +163,41 @@ std::string spoken(std::string_view text) {
   return result;
 }
 
+char32_t nextCharacter(std::string_view text, std::size_t& length) {
+  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+  length = 1;
+  const unsigned char first = byte(0);
+  if (first < 0x80) return first;
+  const std::size_t need = first >= 0xf0 ? 4 : first >= 0xe0 ? 3 : first >= 0xc2 ? 2 : 0;
+  if (need == 0 || first > 0xf4 || text.size() < need) return 0;
+  char32_t c = first & (0xffu >> (need + 1));
+  for (std::size_t i = 1; i < need; ++i) {
+    if ((byte(i) & 0xc0) != 0x80) return 0;
+    c = (c << 6) | (byte(i) & 0x3f);
+  }
+  length = need;
+  const bool tooLong = c < (need == 2 ? 0x80u : need == 3 ? 0x800u : 0x10000u);
+  return tooLong || (c >= 0xd800 && c < 0xe000) || c > 0x10ffff ? 0 : c;
+}
+
+bool unseen(char32_t c) {
+  return c < 0xa0 || c == 0xad || (c >= 0x200b && c <= 0x200f) || (c >= 0x2028 && c <= 0x202f) ||
+         (c >= 0x2060 && c <= 0x206f) || c == 0xfeff || (c >= 0xfff0 && c <= 0xffff) ||
+         c >= 0xe0000;
+}
+
+std::string printable(std::string_view text) {
+  std::string clean;
+  while (!text.empty()) {
+    std::size_t length = 1;
+    const char32_t c = nextCharacter(text, length);
+    const bool seen = c == '\n' || c == '\t' || (c >= ' ' && c < 0x7f) || !unseen(c);
+    clean += seen ? text.substr(0, length) : "?";
+    text.remove_prefix(length);
+  }
+  return clean;
+}
+
 std::string hashOf(std::string_view text) {
   std::uint64_t hash = 0xcbf29ce484222325u;
   for (const unsigned char c : text) hash = (hash ^ c) * 0x100000001b3u;

@@ -34,6 +34,15 @@ std::vector<std::string> words(std::string_view text);
 std::string wrapped(std::string_view text, std::size_t width, std::string_view indent);
 /// The same in ASCII, in words that a screen reader reads as they are meant: m^2 for m², omega for its letter.
 std::string spoken(std::string_view text);
+/// The first character of a text in UTF-8, and of how many bytes it is made; 0 and one byte where it is none.
+/// \param text not empty
+/// \param length becomes the number of its bytes
+char32_t nextCharacter(std::string_view text, std::size_t& length);
+/// Characters that nobody sees, or that turn the direction of what follows.
+bool unseen(char32_t c);
+/// The text of somebody else, for a terminal or a report: bytes that are no UTF-8, and characters that nobody sees or
+/// that steer a terminal, become question marks; ends of lines and tabs stay.
+std::string printable(std::string_view text);
 /// FNV-1a, as hexadecimal text: tells whether a file has changed since.
 std::string hashOf(std::string_view text);
 

@@ -341,6 +341,31 @@ TEST_CASE("a compiler's message quotes no file that the submission may not see")
   CHECK(confined.compiled.full.find(first) == std::string::npos);
 }
 
+TEST_CASE("what a submission says is text in every report, whatever its bytes are") {
+  const WorkFolder folder(project());
+  const fs::path file = folder.path() / "hamilton_product.cpp";
+  const std::string include = "#include \"carom/rotation/hamilton_product.hpp\"\n";
+  // A byte that is no UTF-8, and the characters that clear a terminal.
+  const std::string bytes = "\xff\x1b[2J";
+  writeFile(file, include + "#error " + bytes + "\n");
+  const auto error = handIn(file, Way::pipe, false);
+  CHECK(error.status == Status::doesNotCompile);
+  CHECK_THAT(toJson(error).dump(), carom_test::ContainsSubstring("??[2J"));
+  writeFile(file, include + "#include \"/" + bytes + "\"\n");
+  const auto refused = handIn(file, Way::selfCheck, true);
+  CHECK(refused.status == Status::refused);
+  CHECK_THAT(toJson(refused).dump(), carom_test::ContainsSubstring("??[2J"));
+  writeFile(file, include +
+                      "#include <stdexcept>\nnamespace carom {\nQuaternion hamiltonProduct(const "
+                      "Quaternion&, const Quaternion&) {\n  throw std::runtime_error(\"" +
+                      bytes + "\");\n}\n}\n");
+  const auto thrown = handIn(file, Way::pipe, false);
+  CHECK(thrown.status == Status::wrong);
+  const std::string text = toJson(thrown).dump();
+  CHECK_THAT(text, carom_test::ContainsSubstring("?[2J"));
+  CHECK(text.find("u001b") == std::string::npos);
+}
+
 #ifdef __SSE2__
 TEST_CASE("each call starts from the same arithmetic") {
   // Right only where flags are down, rounding is to nearest and small numbers are kept; leaves none of it so.

@@ -72,3 +72,16 @@ TEST_CASE("a file that is not there is nothing, or a failure that names it") {
   writeFile(scratch.path / "file", "x");
   CHECK_THROWS(writeFile(scratch.path / "file" / "below", "x"));
 }
+
+TEST_CASE("what somebody else wrote steers no terminal and breaks no report") {
+  CHECK(printable("a line\n\tand m\xc2\xb2, \xe6\x97\xa5, \xf0\x9f\x99\x82") ==
+        "a line\n\tand m\xc2\xb2, \xe6\x97\xa5, \xf0\x9f\x99\x82");
+  CHECK(printable("\x1b[2Jx\r\x07\x7f") == "?[2Jx???");
+  // Half a character, one too long, a surrogate, and what turns the direction of writing.
+  CHECK(printable("\xc3") == "?");
+  CHECK(printable("\xc0\xaf") == "??");
+  CHECK(printable("\xed\xa0\x80!").back() == '!');
+  CHECK(printable("a\xe2\x80\xae"
+                  "b") == "a?b");
+  CHECK(printable("") == "");
+}
