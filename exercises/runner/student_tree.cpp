@@ -286,12 +286,12 @@ class Maker {
         out += line + "\n";
       } else if (cut_.standing(*e) == Standing::open) {
         out +=
-            "*The library's version of this function is kept back: you write it in exercise "
+            "The library's version of this function is kept back: you write it in exercise "
             "\\ref " +
-            label(*e) + " \"" + e->id + "\".*\n";
+            label(*e) + " \"" + e->id + "\".\n";
       } else {
-        out += "*The library's version of this function is kept back: exercise " + e->id +
-               " asks for it later.*\n";
+        out += "The library's version of this function is kept back: exercise " + e->id +
+               " asks for it later.\n";
       }
     }
     return out;
