@@ -1,0 +1,16 @@
+// Exercise 08.tree_query: which items of a tree meet a box
+// Check it with: ./course check 08.tree_query
+
+#include "carom/broadphase/tree_query.hpp"
+
+#include "carom/core/todo.hpp"
+
+namespace carom {
+
+std::vector<std::int32_t> treeQuery(const BoxTree& tree, const Aabb<3>& box) {
+  // tree.nodes[tree.root] is the node above all others, if tree.root != kNone; a node has box,
+  // left, right, item and isLeaf(). meets(a, b) compares two boxes; touching counts.
+  return todo<std::vector<std::int32_t>>("treeQuery");
+}
+
+}  // namespace carom

@@ -1,0 +1,29 @@
+#include "carom/broadphase/sweep_and_prune.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+#include "carom/broadphase/require_box.hpp"
+
+namespace carom {
+
+std::vector<IndexPair> sweepAndPrune(std::span<const Aabb<3>> boxes) {
+  // Given: what is no box is refused.
+  for (const Aabb<3>& box : boxes) requireBox(box);
+  std::vector<std::int32_t> order(boxes.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::sort(order.begin(), order.end(),
+            [&](std::int32_t a, std::int32_t b) { return boxes[a].low.x() < boxes[b].low.x(); });
+  std::vector<IndexPair> pairs;
+  std::vector<std::int32_t> open;
+  for (const std::int32_t next : order) {
+    for (const std::int32_t other : open) {
+      if (meets(boxes[other], boxes[next])) pairs.push_back(pairOf(other, next));
+    }
+    open.assign(1, next);
+  }
+  std::sort(pairs.begin(), pairs.end());
+  return pairs;
+}
+
+}  // namespace carom

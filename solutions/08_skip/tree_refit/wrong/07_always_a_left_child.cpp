@@ -1,0 +1,14 @@
+#include "carom/broadphase/tree_refit.hpp"
+
+namespace carom {
+
+void treeRefit(BoxTree& tree, std::int32_t leaf, const Aabb<3>& box) {
+  std::vector<TreeNode<3>>& nodes = tree.nodes;
+  nodes[leaf].box = box;
+  // The leaf is on the left, its sibling on the right.
+  for (std::int32_t above = nodes[leaf].parent; above != kNone; above = nodes[above].parent) {
+    nodes[above].box = joined(nodes[leaf].box, nodes[nodes[above].right].box);
+  }
+}
+
+}  // namespace carom
