@@ -117,7 +117,8 @@ int main(int argc, char** argv) {
       // Looked at are the root and the children of all that the box meets.
       const std::int32_t above = nodes[i].parent;
       const bool asked = above == carom::kNone || carom::meets(nodes[above].box, box);
-      frame.poses.push_back({.position = Vector3(0, 0, asked ? 0.01 : 1e3)});
+      // Who is not asked waits outside of the picture.
+      frame.poses.push_back({.position = Vector3(asked ? 0 : 30, 0, 0.01)});
     }
     frame.poses.push_back({.position = {at.x(), at.y(), 0.02}});
     frame.channels = {Real(looked), Real(found)};

@@ -60,6 +60,16 @@ Aabb<3> BroadPhase::withRoom(const Aabb<3>& box, const Vector3& way) const {
   return {box.low - room + ahead.cwiseMin(0), box.high + room + ahead.cwiseMax(0)};
 }
 
+// Has a body that was fast far more room than it will need? Infinite edges say no.
+bool BroadPhase::hasTooMuch(const Aabb<3>& room, const Aabb<3>& box, const Vector3& way) const {
+  const Vector3 edges = box.high - box.low, left = room.high - room.low - edges;
+  const Real enough = 4 * settings_.margin * edges.sum();
+  for (int k = 0; k < 3; ++k) {
+    if (left(k) > enough + 3 * settings_.stepsAhead * std::abs(way(k))) return true;
+  }
+  return false;
+}
+
 void BroadPhase::add(std::int32_t body, const Aabb<3>& box, Mobility mobility) {
   requireItem(body);
   requireBox(box);
@@ -88,7 +98,10 @@ void BroadPhase::remove(std::int32_t body) {
 void BroadPhase::move(std::int32_t body, const Aabb<3>& box, const Vector3& way) {
   requireBody(*this, body);
   Body& moved = bodies_[body];
-  if (holds(moved.box, box) && isBox(box) && !moved.isImmovable) return;
+  if (!moved.isImmovable && holds(moved.box, box) && isBox(box) &&
+      !hasTooMuch(moved.box, box, way)) {
+    return;
+  }
   requireBox(box);
   requireFinite(way, "way");
   moved.box = moved.isImmovable ? box : withRoom(box, way);
@@ -100,11 +113,9 @@ void BroadPhase::touch(std::int32_t body) {
   list(body);
 }
 
-// Fewer than this share of all: each asks the trees. A tree that has been left behind costs a pass
-// over all its nodes first, so it is taken up again for a quarter of that only. The numbers here are
-// those for which the suite `broadphase` is about as fast both ways.
+// Fewer than this share of all: each asks the trees. The numbers here are those for which both ways
+// are about as fast in the suite `broadphase`.
 constexpr std::int64_t kShare = 8;
-constexpr std::int64_t kShareOfStale = 32;
 constexpr std::int32_t kSweepUpTo = 500;  // bodies; above, a grid compares fewer
 constexpr std::int64_t kMostBig = 16;     // bodies that each would be compared with all
 constexpr std::int32_t kGridRest = 64;    // updates, where it had too many big ones
@@ -112,8 +123,7 @@ constexpr std::int32_t kGridRest = 64;    // updates, where it had too many big 
 PairSearch BroadPhase::chooseSearch() {
   PairSearch search = settings_.search;
   if (search == PairSearch::chosen) {
-    const std::int64_t share = isStale_ ? kShareOfStale : kShare;
-    if (share * static_cast<std::int64_t>(moved_.size()) < size_) return PairSearch::trees;
+    if (kShare * static_cast<std::int64_t>(moved_.size()) < size_) return PairSearch::trees;
     search = size_ <= kSweepUpTo ? PairSearch::sweep : PairSearch::grid;
     if (search == PairSearch::grid && gridRests_ > 0) {
       --gridRests_;

@@ -48,7 +48,7 @@ struct BroadPhaseSettings {
   /// updates and more pairs that do not meet.
   Real margin = 0.1;
   /// How many steps' way the room reaches ahead [1].
-  Real stepsAhead = 2;
+  Real stepsAhead = 8;
   /// The tree is made anew when its surface has grown by this factor [1].
   Real rebuildAt = 2;
   /// How partners are found.
@@ -93,7 +93,7 @@ class BroadPhase {
   /// \param body that is in \throws InvalidInput if it is not
   void remove(std::int32_t body);
 
-  /// Says where a body is now. Costs a comparison as long as it has room.
+  /// Says where a body is now. Costs a comparison as long as it has room, and not far too much.
   /// \param body that is in \param box its tight box [m, world]
   /// \param way its displacement in a step like this one [m]; the room reaches ahead along it
   /// \throws InvalidInput if it is not in, the box holds no point or the way is not finite
@@ -176,6 +176,7 @@ class BroadPhase {
     bool isNew = false;     // no tree knows it yet
   };
   void list(std::int32_t body);
+  bool hasTooMuch(const Aabb<3>& room, const Aabb<3>& box, const Vector3& way) const;
   Aabb<3> withRoom(const Aabb<3>& box, const Vector3& way) const;
   PairSearch chooseSearch();
   void updateTrees(bool movesToo);

@@ -2,6 +2,8 @@
 
 #include "carom/broadphase/broad_phase.hpp"
 
+#include <array>
+
 #include "boxes.hpp"
 #include "carom/broadphase/all_pairs.hpp"
 #include "carom/core/errors.hpp"
@@ -33,11 +35,13 @@ std::vector<IndexPair> expectedPairs(const BroadPhase& phase, std::int32_t bodie
 }  // namespace
 
 TEST_CASE("the pairs are those of all pairs while bodies move, come and go") {
-  const std::uint64_t seed = GENERATE(1, 2, 3);
-  INFO("seed " << seed);
+  const std::uint64_t seed = GENERATE(1, 2);
+  const PairSearch search =
+      GENERATE(PairSearch::chosen, PairSearch::trees, PairSearch::sweep, PairSearch::grid);
+  INFO("seed " << seed << ", search " << static_cast<int>(search));
   Random random(seed);
   const int bodies = 120;
-  BroadPhase phase;
+  BroadPhase phase({.search = search});
   std::vector<bool> immovable(bodies);
   std::vector<Vector3> centers(bodies), halves(bodies);
   std::vector<IndexPair> known;
@@ -82,6 +86,47 @@ TEST_CASE("the pairs are those of all pairs while bodies move, come and go") {
       CHECK(holds(phase.box(body),
                   Aabb<3>{centers[body] - halves[body], centers[body] + halves[body]}));
     }
+  }
+}
+
+TEST_CASE("the search is chosen by how many bodies move, and how many there are") {
+  const auto searches = [](int count, int every) {
+    std::vector<Aabb<3>> boxes = gasBoxes(count, 17);
+    BroadPhase phase;
+    for (int i = 0; i < count; ++i) phase.add(i, boxes[i], Mobility::moving);
+    phase.update();
+    const BroadPhaseCounters before = phase.counters();
+    for (int step = 0; step < 10; ++step) {
+      for (int i = 0; i < count; i += every) {
+        boxes[i] = {boxes[i].low + Vector3::Ones(), boxes[i].high + Vector3::Ones()};
+        phase.move(i, boxes[i]);
+      }
+      phase.update();
+    }
+    const BroadPhaseCounters& now = phase.counters();
+    return std::array{now.byTrees - before.byTrees, now.bySweep - before.bySweep,
+                      now.byGrid - before.byGrid};
+  };
+  CHECK(searches(300, 1) == std::array<std::int64_t, 3>{0, 10, 0});
+  CHECK(searches(2000, 1) == std::array<std::int64_t, 3>{0, 0, 10});
+  CHECK(searches(2000, 100) == std::array<std::int64_t, 3>{10, 0, 0});
+}
+
+TEST_CASE("the tree of moving bodies is up to date when it is asked for") {
+  std::vector<Aabb<3>> boxes = gasBoxes(200, 18);
+  BroadPhase phase({.search = PairSearch::sweep});
+  for (int i = 0; i < 200; ++i) phase.add(i, boxes[i], Mobility::moving);
+  phase.update();
+  for (int i = 0; i < 200; ++i) {
+    const Vector3 way(0, 0, 100 + i);
+    boxes[i] = {boxes[i].low + way, boxes[i].high + way};
+    phase.move(i, boxes[i]);
+  }
+  phase.update();
+  for (int i = 0; i < 200; ++i) {
+    bool isFound = false;
+    phase.movingTree().overlap(boxes[i], [&](std::int32_t body) { isFound |= body == i; });
+    CHECK(isFound);
   }
 }
 

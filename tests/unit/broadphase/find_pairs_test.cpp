@@ -123,6 +123,13 @@ TEST_CASE("D16: the pairs of 1000 and of 20000 boxes, counted exactly") {
   }
 }
 
+TEST_CASE("bodies enter as pairs: n of them at one place are n (n - 1) / 2 pairs") {
+  for (const std::size_t n : {1u, 2u, 10u, 200u}) {
+    const std::vector<Aabb<3>> boxes(n, unitBoxAt(1, 2, 3));
+    CHECK(allPairs(boxes).size() == n * (n - 1) / 2);
+  }
+}
+
 TEST_CASE("a box that is none is refused by every way") {
   for (const Real bad : {std::numeric_limits<Real>::quiet_NaN(), Real(-3)}) {
     std::vector<Aabb<3>> boxes = gasBoxes(5, 1);
