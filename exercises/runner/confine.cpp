@@ -79,6 +79,12 @@ grading::Confinement toolchain(const Project& project) {
   grading::Confinement confinement;
   confinement.toolchain = true;
   confinement.hidden = {project.root, project.build};
+  // A compiler of one's own, /opt/gcc-14/bin/g++, and what belongs to it: only that folder of /opt is shown.
+  for (const char* tool : {"compiler", "nm"}) {
+    const fs::path path = fs::weakly_canonical(project.text(tool));
+    if (std::distance(path.begin(), path.end()) > 3 && *std::next(path.begin()) == "opt")
+      confinement.readable.push_back("/opt" / *std::next(path.begin(), 2));
+  }
   return confinement;
 }
 
@@ -155,7 +161,7 @@ grading::Command confinedTool(const Project& project, grading::Command command,
                               const std::vector<fs::path>& inputs, const fs::path& out,
                               const grading::Sandbox& sandbox) {
   auto confinement = toolchain(project);
-  confinement.readable = inputs;
+  confinement.readable.insert(confinement.readable.end(), inputs.begin(), inputs.end());
   if (!out.empty()) {
     confinement.writable.push_back(out);
     keepTogether(command, out);

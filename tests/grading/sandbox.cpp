@@ -16,7 +16,7 @@ namespace {
 
 constexpr unsigned kNobody = 65534;
 
-// The system's programs, headers and libraries. Not all of /usr: courses may lie in /usr/src or /usr/share.
+// The system's programs, headers and libraries. Not all of /usr, and not /opt: courses and submissions may lie there.
 const std::vector<const char*> kToolchain = {"/usr/bin",
                                              "/usr/include",
                                              "/usr/lib",
@@ -34,7 +34,6 @@ const std::vector<const char*> kToolchain = {"/usr/bin",
                                              "/lib32",
                                              "/lib64",
                                              "/libx32",
-                                             "/opt",
                                              "/nix/store",
                                              "/gnu/store",
                                              "/etc/alternatives",
