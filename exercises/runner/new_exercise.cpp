@@ -72,7 +72,6 @@ std::optional<std::string> withMarkers(const std::string& source, const std::str
   std::size_t at = 0;
   while (at < lines.size() && !lines[at].starts_with("#include")) ++at;
   std::string text = head;
-  bool first = true;
   std::size_t start = lines.size();
   for (std::size_t i = at; i < lines.size(); ++i) {
     if (lines[i].find(" " + function + "(") != std::string::npos && !lines[i].starts_with(" ") &&
@@ -86,6 +85,11 @@ std::optional<std::string> withMarkers(const std::string& source, const std::str
   std::size_t end = body;
   while (end < lines.size() && lines[end] != "}") ++end;
   if (end >= lines.size()) return std::nullopt;
+  // Behind the last header of ours; on its own if that is the function's.
+  std::size_t include = at;
+  for (std::size_t i = at; i < start; ++i) {
+    if (lines[i].starts_with("#include \"")) include = i;
+  }
   for (std::size_t i = at; i < lines.size(); ++i) {
     if (i == end) {
       const bool nothing = signature.result == "void";
@@ -95,11 +99,8 @@ std::optional<std::string> withMarkers(const std::string& source, const std::str
     }
     text += lines[i] + "\n";
     if (i == body) text += "  //# solution\n";
-    if (first && lines[i].starts_with("#include") &&
-        (i + 1 >= lines.size() || trimmed(lines[i + 1]).empty())) {
-      text += "\n#include \"carom/core/todo.hpp\"\n";
-      first = false;
-    }
+    if (i == include)
+      text += std::string(include == at ? "\n" : "") + "#include \"carom/core/todo.hpp\"\n";
   }
   return text;
 }

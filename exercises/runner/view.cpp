@@ -207,6 +207,10 @@ std::string describeText(const ExerciseResult& result, const Project& project, c
     const auto& check = result.checks[i];
     if (check.status == Status::passed) {
       text += verdictLine(result, i, view);
+    } else if (result.status == Status::notRun) {
+      // What cannot be asked here has one reason for all.
+      if (!told) text += labelled(view, "Not run", check.reason);
+      told = true;
     } else if (!told) {
       told = true;
       text += verdictLine(result, i, view) + failureText(check, result, project, view);

@@ -40,6 +40,7 @@ constexpr const char* kReportMark =
 
 long calls = 0;
 bool notAttempted = false;
+bool functionMissing = false;
 
 void report(const json& event) {
   const std::string text = "\n" + std::string(kReportMark) +
@@ -67,6 +68,8 @@ class Function : public Channel {
     readAll(reinterpret_cast<char*>(&size), sizeof size);
     std::string bytes(size, '\0');
     readAll(bytes.data(), size);
+    // Nothing that a case can help.
+    functionMissing |= !bytes.empty() && bytes[0] == static_cast<char>(Message::notAttempted);
     return bytes;
   }
 
@@ -140,7 +143,10 @@ const bool hooked = [] {
   // A function that has crashed is told in words; the write that finds out must not end the program.
   std::signal(SIGPIPE, SIG_IGN);
   carom_test::afterTests = [](int exitCode) {
-    report({{"event", "end"}, {"exit", exitCode}, {"not attempted", notAttempted}});
+    report({{"event", "end"},
+            {"exit", exitCode},
+            {"not attempted", notAttempted},
+            {"function missing", functionMissing}});
   };
   return true;
 }();
