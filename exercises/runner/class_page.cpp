@@ -26,12 +26,13 @@ a{color:var(--link)}
 outline-offset:2px}
 table{border-collapse:collapse;width:100%}
 caption{text-align:left;padding:.4rem .6rem;font-weight:600}
+td ul{margin:0;padding-left:1.2rem}
 th,td{padding:.3rem .6rem;text-align:left;vertical-align:top;border-top:1px solid var(--line)}
 thead th{background:var(--soft);white-space:nowrap}
 td.n,th.n{text-align:right;font-variant-numeric:tabular-nums;white-space:nowrap}
 .all th:first-child{position:sticky;left:0;background:var(--back)}
 .all thead th:first-child{background:var(--soft)}
-tr.group th{background:var(--soft)}
+tr.group>*{background:var(--soft)}
 .rate{min-width:9rem}
 .bar{display:block;height:.5rem;border-radius:.25rem;background:var(--soft);border:1px solid var(--line)}
 .bar>span{display:block;height:100%;background:var(--bar);border-radius:.25rem}
@@ -106,7 +107,7 @@ std::string summary(const Records& r) {
   double share = 0;
   for (const auto& student : r.students) {
     const Grade grade = gradeOf(r.course, student);
-    refused += grade.state == "refused";
+    refused += grade.state == "not taken";
     faults += grade.state == "not graded";
     if (grade.state != "graded") continue;
     ++graded;
@@ -219,7 +220,7 @@ std::string checks(const Records& r) {
       const bool hidden = c.at("hidden").get<bool>();
       rows += "<tr><th scope=\"row\" style=\"font-weight:400\">" +
               esc(c.at("title").get<std::string>()) + "</th>" + rate(good, of) + "<td>" +
-              shortNumber(c.at("points")) + " points" +
+              shortNumber(c.at("points")) + (c.at("points") == 1 ? " point" : " points") +
               (hidden ? ", hidden as '" + esc(e.at("topic").get<std::string>()) + "'" : "") +
               "</td></tr>\n";
     }
@@ -244,7 +245,7 @@ std::string students(const Records& r) {
     for (const auto& e : r.course.at("exercises")) {
       const json* result = resultOf(student, e.at("id"));
       const std::string status = result ? textOf(*result, "status") : "";
-      if (grade.state == "refused" || status.empty() || status == "not asked") {
+      if (grade.state == "not taken" || status.empty() || status == "not asked") {
         rows += "<td class=\"n\"></td>";
       } else if (status == "our fault") {
         rows += "<td class=\"n odd\">not graded</td>";

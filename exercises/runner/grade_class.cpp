@@ -599,7 +599,7 @@ int gradeAll(const Project& project, const Course& course, const GradeOptions& o
                 << ": not graded, through a fault of ours\n";
       exitCode = Exit::ourFault;
     }
-    if (grade.state == "refused") {
+    if (grade.state == "not taken") {
       std::cout << student["student"].get<std::string>() << ": not taken, "
                 << student["refused"].get<std::string>() << "\n";
     }

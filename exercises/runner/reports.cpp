@@ -246,7 +246,7 @@ std::string feedback(const json& course, const json& student) {
   const std::string title = textOf(course, "title");
   std::string text = "# Feedback for " + markdown(textOf(student, "student")) + "\n\n";
   if (!title.empty()) text += markdown(title) + ".\n";
-  if (grade.state == "refused") {
+  if (grade.state == "not taken") {
     return text +
            "\nWhat you handed in could not be taken: " + markdown(textOf(student, "refused")) +
            ".\nPlease hand it in again, as a folder, a zip or a tar archive that holds your folder "
@@ -296,7 +296,7 @@ std::string feedback(const json& course, const json& student) {
     int others = 0;
     for (const auto& item : items) {
       if (item.hidden) {
-        text += "Hidden checks, *" + markdown(item.title) + "*: " + item.output;
+        text += "*" + markdown(item.title) + "*: " + item.output;
         continue;
       }
       if (item.status == "passed") continue;
@@ -423,7 +423,7 @@ json gradescope(const json& course, const json& student) {
               {"visibility", "visible"},
               {"stdout_visibility", "hidden"},
               {"tests", tests}};
-  if (grade.state == "refused") {
+  if (grade.state == "not taken") {
     all["output"] = "What you handed in could not be taken: " + textOf(student, "refused") + ".";
     all["tests"] = json::array();
     all["score"] = 0;
@@ -468,7 +468,7 @@ json classroom(const json& course, const json& student) {
                        {"test_code", "./course check " + e.at("id").get<std::string>()}});
     }
   }
-  const bool refused = grade.state == "refused";
+  const bool refused = grade.state == "not taken";
   if (refused) {
     tests = {{{"name", "The submission is taken"},
               {"status", "error"},
@@ -495,7 +495,7 @@ std::string csv(const Records& records) {
   text += ",misunderstood,remarks\n";
   for (const auto& student : records.students) {
     const Grade grade = gradeOf(course, student);
-    const bool counts = grade.graded && grade.state != "refused";
+    const bool counts = grade.graded && grade.state != "not taken";
     char percent[32] = "";
     if (counts && grade.of > 0)
       std::snprintf(percent, sizeof percent, "%.1f", 100 * grade.points / grade.of);
@@ -505,7 +505,7 @@ std::string csv(const Records& records) {
     for (const auto& e : course.at("exercises")) {
       const json& result = resultOf(student, e.at("id"));
       const std::string status = textOf(result, "status");
-      if (grade.state == "refused" || status == "not asked")
+      if (grade.state == "not taken" || status == "not asked")
         text += ",";
       else if (isFault(result))
         text += ",not graded";
@@ -591,7 +591,7 @@ Grade gradeOf(const json& course, const json& student) {
     grade.graded &= !isFault(result);
   }
   grade.state = grade.graded ? "graded" : "not graded";
-  if (!textOf(student, "refused").empty()) grade = {0, grade.of, false, "refused", {}};
+  if (!textOf(student, "refused").empty()) grade = {0, grade.of, false, "not taken", {}};
   const auto remarks = toLookAt(course, student);
   if (!remarks.empty()) grade.firstWord = remarks.front();
   return grade;

@@ -23,7 +23,7 @@ struct Grade {
   double points = 0;
   double of = 0;
   bool graded = true;     ///< false: something was not graded, and points says nothing
-  std::string state;      ///< graded, refused, not graded
+  std::string state;      ///< graded, not taken, not graded
   std::string firstWord;  ///< the remark that matters most; empty: none
 };
 Grade gradeOf(const nlohmann::json& course, const nlohmann::json& student);
