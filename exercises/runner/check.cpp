@@ -210,6 +210,10 @@ Report readReport(const fs::path& file, const std::string& nonce) {
   for (const auto& line : splitLines(content)) {
     json event = json::parse(line, nullptr, false);
     if (!event.is_object() || !event.contains("event")) continue;
+    // The words of a submission's exception are in it.
+    for (auto& value : event) {
+      if (value.is_string()) value = printable(value.get_ref<const std::string&>());
+    }
     if (event["event"] == "end" && event.value("nonce", "") == nonce) {
       report.complete = true;
       report.asked = event.value("asked", 0L);
@@ -292,7 +296,8 @@ CheckResult runCheck(const Check& check, const Runnable& runnable, const fs::pat
   } else if (report.exitCode != 0 || done.exitCode != 0) {
     result.status = Status::stopped;
     result.reason = "The grader answered with exit code " + std::to_string(report.exitCode) +
-                    " and the program " + done.end + ":\n" + done.output.substr(0, 2000);
+                    " and the program " + done.end + ":\n" +
+                    printable(std::string_view(done.output).substr(0, 2000));
   } else {
     result.status = Status::passed;
   }
