@@ -8,8 +8,9 @@
 namespace carom::scenes {
 namespace {
 
-constexpr Real kLongEnough = 1;  // of processor time: its clock may tick in steps of 10 ms [s]
-constexpr long kBlocks = 100;    // of a repeated run, so that reading a clock costs little
+constexpr Real kLongEnough = 1;   // of processor time: its clock may tick in steps of 10 ms [s]
+constexpr Real kLongBlock = 0.1;  // ten ticks of that clock [s]
+constexpr long kBlocks = 100;     // of a repeated run, so that reading a clock costs little
 
 Real secondsOf(clockid_t clock) {
   timespec now{};
@@ -95,7 +96,11 @@ Run runScene(const EngineKind& kind, const Scene& scene, Real dt, const RunOptio
     judge->see(static_cast<Real>(done) * dt, states);
     if (done > division.untimed) addCounters(engine->counters(), run.counters, looks);
   }
+  // The median of blocks that the clock cannot tell from nothing would be nothing.
   run.medianStep = medianOf(blocks);
+  if (run.medianStep * static_cast<Real>(division.block) < kLongBlock) {
+    run.medianStep = run.seconds / static_cast<Real>(std::max(1L, run.steps));
+  }
   run.simulated = static_cast<Real>(run.steps) * dt;
   run.figures = judge->figures();
   for (Figure& counter : run.counters) counter.value /= static_cast<Real>(looks);
