@@ -316,11 +316,13 @@ Finished run(const Command& command) {
     if (filter >= 0) dup2(filter, next++);
     if (enclosure.any) closeFrom(next);
     applyLimits(command.limits);
-    if (!enter(enclosure)) {
-      const char* text = "the sandbox cannot be entered\n";
-      if (write(2, text, std::strlen(text)) < 0) _exit(126);
-      _exit(126);
-    }
+    auto leave = [](const char* what, int exitCode) {
+      const char* reason = std::strerror(errno);
+      if (write(2, what, std::strlen(what)) < 0 || write(2, reason, std::strlen(reason)) < 0)
+        _exit(exitCode);
+      _exit(exitCode);
+    };
+    if (!enter(enclosure)) leave("the sandbox cannot be entered: ", 126);
     if (command.shutIn) {
       // Opened before the rights go: root without them cannot enter the folders of other users.
       const int file = open(words[0], O_RDONLY | O_CLOEXEC);
@@ -329,12 +331,7 @@ Finished run(const Command& command) {
     } else {
       execvpe(words[0], words.data(), environment.data());
     }
-    const char* text = "cannot be run: ";
-    if (write(2, text, std::strlen(text)) > 0) {
-      const char* reason = std::strerror(errno);
-      if (write(2, reason, std::strlen(reason)) < 0) _exit(127);
-    }
-    _exit(127);
+    leave("cannot be run: ", 127);
   }
   if (!enclosure.any) setpgid(child, child);
   if (output[1] >= 0) close(output[1]);

@@ -175,7 +175,7 @@ std::optional<Sandbox> tryTier(Tier tier, std::string& reason) {
     one.asNobody = nobody;
     one.asSelf = self;
     const auto done = runTrue(one);
-    if (!done.ok() && reason.empty()) {
+    if (!done.ok()) {
       reason = done.output.empty() ? done.end : done.output.substr(0, done.output.find('\n'));
       if (reason.starts_with("bwrap: ")) reason.erase(0, 7);
     }

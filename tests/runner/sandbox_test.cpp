@@ -6,10 +6,12 @@
 #include <arpa/inet.h>
 #include <fcntl.h>
 #include <netinet/in.h>
+#include <sys/prctl.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
@@ -347,6 +349,23 @@ TEST_CASE("a signal inside is told in words outside") {
   }
   CHECK(endInside(3 << 8) == 3 << 8);
   CHECK(endInside((128 + 11) << 8) == 11);
+}
+
+TEST_CASE("a process that hides its memory, as a grader does, can start confined work") {
+  auto tiers = closedTiers();
+  // As root on a machine where only uid 65534 may make namespaces.
+  const Sandbox other{.tier = Tier::namespaces, .why = "", .asNobody = true, .asSelf = false};
+  const auto makes = [](const Sandbox& sandbox) { return sandbox.tier == Tier::namespaces; };
+  if (geteuid() == 0 && std::any_of(tiers.begin(), tiers.end(), makes) && works(other))
+    tiers.push_back(other);
+#if !defined(__SANITIZE_ADDRESS__)
+  prctl(PR_SET_DUMPABLE, 0, 0, 0, 0);
+#endif
+  for (const auto& sandbox : tiers) {
+    INFO(describe(sandbox));
+    CHECK(inside(sandbox, "echo in").output == "in\n");
+  }
+  prctl(PR_SET_DUMPABLE, 1, 0, 0, 0);
 }
 
 TEST_CASE("a path that cannot be shown is named") {
