@@ -286,6 +286,7 @@ CheckResult runCheck(const Check& check, const Runnable& runnable, const fs::pat
                                          "returned counts."
                                        : "The program " + done.end + " before the check was over.";
     result.timedOut = done.timedOut || outOfTime(done.end);
+    result.brokeOff = !linked && !result.timedOut;
     if (report.last.is_object()) result.failure = report.last;
   } else if (report.asked == 0) {
     result.status = Status::ourFault;
@@ -295,6 +296,7 @@ CheckResult runCheck(const Check& check, const Runnable& runnable, const fs::pat
     result.othersWrong = static_cast<int>(report.wrong) - 1;
   } else if (report.exitCode != 0 || done.exitCode != 0) {
     result.status = Status::stopped;
+    result.brokeOff = !linked;
     result.reason = "The grader answered with exit code " + std::to_string(report.exitCode) +
                     " and the program " + done.end + ":\n" +
                     printable(std::string_view(done.output).substr(0, 2000));

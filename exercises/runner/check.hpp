@@ -22,6 +22,8 @@ struct CheckResult {
   std::string reason;      ///< for stopped and our fault: what happened
   std::string output;      ///< what the submission printed
   bool timedOut = false;   ///< it ran into a limit on time
+  bool brokeOff =
+      false;  ///< through the pipe: the tests, which are ours, ended before they were over
   double seconds = 0;
 };
 
