@@ -22,9 +22,9 @@ bool isBlank(char c) {
 bool saysNothing(const std::string& line) {
   static const std::regex nothing(
       R"(#include.*|using\w+=?.*|namespace.*|template<[\w,]*>|)"
-      R"(for\((int|std::size_t)\w+=[01];\w+<=?[\w.()]+;\+\+\w+\)\{?|)"
+      R"(for\((int|std::size_t|std::int32_t)\w+=[01];\w+<=?[\w.()]+;\+\+\w+\)\{?|)"
       R"(for\((const)?(auto|\w+)&?\w+:[\w.]+\)\{?|)"
-      R"(while\(true\)\{|switch\(\w+\)\{|case[\w:]+:|return\w+;|\+\+[\w.]+;|)"
+      R"(while\((true|!\w+\.empty\(\))\)\{|switch\(\w+\)\{|case[\w:]+:|return\w+;|\+\+[\w.]+;|)"
       R"((const|constexpr)?[A-Za-z][\w:<>,]*(=(-?[\d.e+-]+|[\w:<>]+::Zero\(\)))?;|)"
       R"(struct\w+\{|(const)?[A-Za-z][\w:<>,&]*=|if\(\w+[<>=]=?\d+\)(continue;|break;|\{)?)");
   return std::regex_match(line, nothing);
