@@ -69,7 +69,7 @@ TEST_CASE("the skeleton is not started, which is not wrong") {
   const Course course;
   const auto done = course({"check", kId});
   CHECK(done.exitCode == 1);
-  CHECK_THAT(done.output, ContainsSubstring("Not started: write your answer in "
+  CHECK_THAT(done.output, ContainsSubstring("not started, write your answer in "
                                             "exercises/01_rotation/hamilton_product.cpp"));
   CHECK_THAT(done.output, !ContainsSubstring("wrong"));
   const json result = course.inJson({"check", kId}, 1);

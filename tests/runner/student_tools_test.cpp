@@ -206,7 +206,7 @@ TEST_CASE("debug names the failing question and stops there in the function") {
     INFO(run.output);
     // Where processes may not be looked into there is nothing to see.
     if (run.output.find("ptrace") == std::string::npos) {
-      CHECK_THAT(run.output, ContainsSubstring("carom::hamiltonProduct (q="));
+      CHECK_THAT(run.output, ContainsSubstring("Breakpoint 2, carom::hamiltonProduct ("));
     }
   }
 }
