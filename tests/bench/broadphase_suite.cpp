@@ -128,7 +128,7 @@ std::vector<Contender> contenders() {
       {"Carom", false, 1 << 30, [](const MovingBoxes&) { return std::make_unique<Carom>(); }},
       {"all pairs", false, 1000,
        [](const MovingBoxes&) { return std::make_unique<Anew<AllOfThem>>(); }},
-      {"sorted sweep", false, 10000,
+      {"sorted sweep", false, 3000,
        [](const MovingBoxes&) { return std::make_unique<Anew<carom::SortedSweep>>(); }},
       {"grid", false, 1 << 30,
        [](const MovingBoxes&) { return std::make_unique<Anew<carom::PairGrid>>(); }},
@@ -286,7 +286,7 @@ int main(int argc, char** argv) {
     table.column("us a step", carom::io::significant(3));
     table.column("worst", carom::io::significant(3)).column("pairs", carom::io::fixed(0));
     table.column("missed", carom::io::fixed(0)).column("spare", carom::io::fixed(0));
-    for (const int count : {100, 300, 1000, 3000, 10000, 30000, 100000}) {
+    for (const int count : {100, 300, 1000, 3000, 10000, 100000}) {
       for (const Result& result : race(scene, count, options.seconds)) {
         results.push_back(result);
         table.row({result.engine, Real(result.bodies), result.microseconds, result.worst,

@@ -44,7 +44,7 @@ void Tree<Dim>::insert(std::int32_t item, const Box& box) {
   if (static_cast<std::size_t>(item) >= leafOf_.size()) leafOf_.resize(item + 1, kNone);
   leafOf_[item] = insertLeaf(box, item);
   ++size_;
-  ++unsettled_;
+  ++added_;
 }
 
 template <int Dim>
@@ -197,7 +197,7 @@ void Tree<Dim>::move(std::int32_t item, const Box& box) {
     return;
   }
   ++work_.reinserted;
-  ++unsettled_;
+  ++replaced_;
   removeLeaf(leaf);
   leafOf_[item] = insertLeaf(box, item);
 }
@@ -252,7 +252,7 @@ void Tree<Dim>::rebuild() {
     if (!node.isLeaf()) builtSurface_ += halfSurface(node.box);
   }
   worsening_ = 1;
-  unsettled_ = 0;
+  added_ = replaced_ = 0;
   ordered_ = true;
   ++work_.rebuilt;
 }
