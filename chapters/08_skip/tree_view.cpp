@@ -108,10 +108,8 @@ int main(int argc, char** argv) {
     const Real angle = 2 * M_PI * n / frames;
     const Vector2 at(4.5 * carom::sine(angle), 2.8 * carom::sine(2 * angle));
     const Box box{at - half, at + half};
-    //! [ask]
     int found = 0;
     const std::int64_t looked = tree.overlap(box, [&](std::int32_t) { ++found; });
-    //! [ask]
     carom::io::Frame frame{.time = n / 30.0};
     for (std::size_t i = 0; i < nodes.size(); ++i) {
       // Looked at are the root and the children of all that the box meets.

@@ -47,7 +47,6 @@ std::vector<IndexPair> gridPairs(std::span<const Aabb<3>> boxes, Real cell) {
   requirePositive(cell, "cell");
   for (const Aabb<3>& box : boxes) requireBox(box);
 
-  //! [grid pairs]
   const auto count = static_cast<std::int32_t>(boxes.size());
   std::vector<Entry> entries;
   std::vector<std::int32_t> big;
@@ -73,7 +72,6 @@ std::vector<IndexPair> gridPairs(std::span<const Aabb<3>> boxes, Real cell) {
     }
   }
   std::sort(pairs.begin(), pairs.end());
-  //! [grid pairs]
   return pairs;
 }
 

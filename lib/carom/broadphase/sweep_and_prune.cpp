@@ -10,7 +10,6 @@ namespace carom {
 std::vector<IndexPair> sweepAndPrune(std::span<const Aabb<3>> boxes) {
   for (const Aabb<3>& box : boxes) requireBox(box);
 
-  //! [sweep and prune]
   std::vector<std::int32_t> order(boxes.size());
   std::iota(order.begin(), order.end(), 0);
   const auto beginsEarlier = [&](std::int32_t a, std::int32_t b) {
@@ -32,7 +31,6 @@ std::vector<IndexPair> sweepAndPrune(std::span<const Aabb<3>> boxes) {
     open.push_back(next);
   }
   std::sort(pairs.begin(), pairs.end());
-  //! [sweep and prune]
   return pairs;
 }
 

@@ -2,7 +2,6 @@
 
 namespace carom {
 
-//! [tree insert]
 std::int32_t treeInsert(BoxTree& tree, const Aabb<3>& box, std::int32_t item) {
   const std::int32_t leaf = takeNode(tree);
   const std::int32_t parent = tree.root == kNone ? kNone : takeNode(tree);
@@ -48,6 +47,5 @@ std::int32_t treeInsert(BoxTree& tree, const Aabb<3>& box, std::int32_t item) {
   }
   return leaf;
 }
-//! [tree insert]
 
 }  // namespace carom

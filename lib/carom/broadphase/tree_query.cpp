@@ -2,7 +2,6 @@
 
 namespace carom {
 
-//! [tree query]
 std::vector<std::int32_t> treeQuery(const BoxTree& tree, const Aabb<3>& box) {
   std::vector<std::int32_t> found, open;
   if (tree.root != kNone) open.push_back(tree.root);
@@ -20,6 +19,5 @@ std::vector<std::int32_t> treeQuery(const BoxTree& tree, const Aabb<3>& box) {
   }
   return found;
 }
-//! [tree query]
 
 }  // namespace carom

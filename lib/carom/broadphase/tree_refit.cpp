@@ -2,7 +2,6 @@
 
 namespace carom {
 
-//! [tree refit]
 void treeRefit(BoxTree& tree, std::int32_t leaf, const Aabb<3>& box) {
   std::vector<TreeNode<3>>& nodes = tree.nodes;
   nodes[leaf].box = box;
@@ -11,6 +10,5 @@ void treeRefit(BoxTree& tree, std::int32_t leaf, const Aabb<3>& box) {
     nodes[above].box = joined(nodes[nodes[above].left].box, nodes[nodes[above].right].box);
   }
 }
-//! [tree refit]
 
 }  // namespace carom
