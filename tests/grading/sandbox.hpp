@@ -60,8 +60,8 @@ struct Confinement {
   bool toolchain = false;                     ///< the system's programs, headers and libraries
 };
 
-/// The command, changed so that it runs confined: with an empty environment but for its own, with no files open but
-/// the standard ones and its own, in namespaces of its own. Its limits stay; the one on processes holds for uid 65534 only.
+/// The command, changed so that it runs confined: with an empty environment but for its own, with no files open but the
+/// standard ones and its own, in namespaces of its own. Its limits stay; the one on processes holds for uid 65534 only.
 /// Gives the writable folders to the user that it will run as.
 /// \throws std::invalid_argument for a path that is not absolute or does not exist
 Command confined(Command command, const Confinement& confinement, const Sandbox& sandbox);
