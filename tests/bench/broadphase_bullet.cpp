@@ -8,15 +8,13 @@
 namespace carom::bench {
 namespace {
 
-// Its own filters keep pairs of immovable bodies out, as its world sets them.
+// Its own filters keep pairs of immovable bodies out, as its world sets them. The proxies are left to
+// the end of the program: to take each out of a pile looks through all pairs.
 struct Bullet : BroadEngine {
   std::unique_ptr<btBroadphaseInterface> phase;
   std::vector<btBroadphaseProxy*> proxies;
 
   explicit Bullet(std::unique_ptr<btBroadphaseInterface> its) : phase(std::move(its)) {}
-  ~Bullet() override {
-    for (btBroadphaseProxy* proxy : proxies) phase->destroyProxy(proxy, nullptr);
-  }
   static btVector3 corner(const double* at) {
     return btVector3(at[0], at[1], at[2]);
   }
