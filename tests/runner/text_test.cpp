@@ -85,3 +85,12 @@ TEST_CASE("what somebody else wrote steers no terminal and breaks no report") {
                   "b") == "a?b");
   CHECK(printable("") == "");
 }
+
+TEST_CASE("what is read aloud is ASCII and says what the signs mean") {
+  CHECK(spoken("3 N·s, kg m², 10⁻⁷, ω × r, 90°") == "3 N s, kg m^2, 10^-7, omega x r, 90 degrees");
+  CHECK(spoken("✓ R_WBᵀ ≤ √2 ± ½") == "passed R_WB^T <= sqrt 2 +- 1/2");
+  CHECK(spoken("a “word” … cöurse") == "a \"word\" ... coeurse");
+  // A sign that nobody thought of stands for one character, however many bytes it has.
+  CHECK(spoken("a\xF0\x9F\x8E\xB1z") == "a?z");
+  CHECK(spoken("") == "");
+}
