@@ -8,6 +8,7 @@
 #include <algorithm>
 
 #include "grading/process.hpp"
+#include "runner/missing.hpp"
 #include "runner/skeleton.hpp"
 #include "support/catch.hpp"
 
@@ -187,6 +188,13 @@ TEST_CASE("hidden checks go with their misunderstandings and with what only they
                                     "TEST_CASE(\"turns\") {"));
   CHECK_THAT(cut, ContainsSubstring("TEST_CASE(\"probes\") {\n  probe(shared(3));\n}\n"));
   CHECK_THROWS_AS(withoutTestCases(grader, {"flies"}, "spin_test.cpp"), Failure);
+}
+
+TEST_CASE("a function that is not written is told from what a program prints") {
+  CHECK(missingFunction("  what():  eulerToMatrix is not written yet\n") == "eulerToMatrix");
+  CHECK(missingFunction("due to unexpected exception with message:\n  not started: turnBy is not\n"
+                        "  written yet") == "turnBy");
+  CHECK(missingFunction("all is well").empty());
 }
 
 // From here on with the project itself: a copy of what is committed, so that nobody's work is touched.
