@@ -209,13 +209,14 @@ std::string failsOnRight(const Meeting& meeting, std::size_t which) {
     text +=
         ", which looks the same: they differ in digits that are not shown. Leave room for rounding";
   if (!f.value("message", "").empty()) text += ": " + f.value("message", "");
-  return text + ".";
+  // Names and messages are the student's own words.
+  return printable(text) + ".";
 }
 
 std::string emptyCase(const Meeting& meeting) {
   if (meeting.cases.empty()) return "There is no TEST_CASE in the file.";
   for (const auto& c : meeting.cases) {
-    const std::string name = "The case \"" + c.value("name", "") + "\" ";
+    const std::string name = "The case \"" + printable(c.value("name", "")) + "\" ";
     if (c.value("assertions", 0L) == 0) return name + "asserts nothing.";
     if (c.value("calls", 0L) == 0) return name + "never calls the function.";
   }
