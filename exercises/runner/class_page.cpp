@@ -12,7 +12,8 @@ using nlohmann::json;
 namespace {
 
 const char* const kStyle = R"(
-:root{color-scheme:light dark;--ink:#1c1e21;--back:#fdfdfc;--line:#c9ccd1;--soft:#f0f1f3;--bar:#9cc3ea;
+:root{color-scheme:light dark;
+--ink:#1c1e21;--back:#fdfdfc;--line:#c9ccd1;--soft:#f0f1f3;--bar:#9cc3ea;
 --good:#136b34;--bad:#a3201f;--odd:#7a4b00;--link:#0b5394}
 @media(prefers-color-scheme:dark){:root{--ink:#e7e8ea;--back:#16181b;--line:#45494f;--soft:#22262b;
 --bar:#28527a;--good:#7fd89b;--bad:#ff9a95;--odd:#f0c06a;--link:#8fc1f5}}
@@ -34,7 +35,8 @@ td.n,th.n{text-align:right;font-variant-numeric:tabular-nums;white-space:nowrap}
 .all thead th:first-child{background:var(--soft)}
 tr.group>*{background:var(--soft)}
 .rate{min-width:9rem}
-.bar{display:block;height:.5rem;border-radius:.25rem;background:var(--soft);border:1px solid var(--line)}
+.bar{display:block;height:.5rem;border-radius:.25rem;background:var(--soft);
+border:1px solid var(--line)}
 .bar>span{display:block;height:100%;background:var(--bar);border-radius:.25rem}
 .good{color:var(--good)}.bad{color:var(--bad)}.odd{color:var(--odd)}
 dl{display:grid;grid-template-columns:max-content 1fr;gap:.1rem 1rem;margin:0}

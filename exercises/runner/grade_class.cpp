@@ -134,7 +134,8 @@ json failureOf(const CheckResult& check) {
 
 json recordOf(const CheckResult& check) {
   json record = {{"name", check.name}, {"status", nameOf(check.status)}};
-  // The tests are ours and no submission runs in them: when they end early, nobody's answer is judged.
+  // The tests are ours and no submission runs in them: when they end early, nobody's answer is
+  // judged.
   if (check.brokeOff) record["status"] = nameOf(Status::ourFault);
   if (check.status == Status::passed) return record;
   if (check.timedOut) {

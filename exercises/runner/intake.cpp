@@ -301,7 +301,8 @@ class Taker {
       throw Refused{"the archive is larger than " + megabytes(limits_.archiveBytes)};
     const std::unique_ptr<archive, int (*)(archive*)> a(archive_read_new(), archive_read_free);
     if (!a) throw Failure{ourFault, "no memory for an archive"};
-    // No more formats than are asked for. A zip is read by its directory alone, so that one without is damaged.
+    // No more formats than are asked for. A zip is read by its directory alone, so that one without
+    // is damaged.
     archive_read_support_format_zip_seekable(a.get());
     archive_read_support_format_tar(a.get());
     archive_read_support_filter_gzip(a.get());
@@ -362,8 +363,9 @@ class Taker {
 
   // ---- git
   //
-  // A repository brings settings along that make git run programs. So git never works in it: the objects are read
-  // through an empty repository of our own, and the files that say what HEAD is are read here.
+  // A repository brings settings along that make git run programs. So git never works in it: the
+  // objects are read through an empty repository of our own, and the files that say what HEAD is
+  // are read here.
 
   static std::vector<std::string> gitEnvironment(const fs::path& own, const fs::path& objects) {
     return {"GIT_DIR=" + own.string(),
@@ -532,8 +534,8 @@ class Taker {
 
   // ---- which file is which exercise's
 
-  // How a path names an exercise: 0 as the course has it, exercises/chapter/file below at most two folders; 1
-  // chapter/file; 2 the file alone, each below at most one. -1: not at all.
+  // How a path names an exercise: 0 as the course has it, exercises/chapter/file below at most two
+  // folders; 1 chapter/file; 2 the file alone, each below at most one. -1: not at all.
   std::pair<int, const Exercise*> level(const std::vector<std::string>& path) const {
     const std::size_t n = path.size();
     if (n == 0 || n > 5) return {-1, nullptr};

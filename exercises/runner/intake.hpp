@@ -1,10 +1,11 @@
 #pragma once
-// What students handed in: folders, archives and git repositories, of which only the files that exercises name are
-// taken.
+// What students handed in: folders, archives and git repositories, of which only the files that
+// exercises name are taken.
 //
-// Everything here is hostile until it has been looked at. Nothing is unpacked to disk, no link is followed, no
-// repository's own settings are read and none of its programs (hooks, filters) is run. What cannot be taken is said
-// in a sentence that belongs to one student; it never ends the intake of the others.
+// Everything here is hostile until it has been looked at. Nothing is unpacked to disk, no link is
+// followed, no repository's own settings are read and none of its programs (hooks, filters) is run.
+// What cannot be taken is said in a sentence that belongs to one student; it never ends the intake
+// of the others.
 
 #include <map>
 #include <string>
@@ -37,17 +38,19 @@ struct Intake {
   std::vector<std::string> notes;       ///< what in a class's folder is nobody's submission
 };
 
-/// Takes what is handed in. A folder is one submission when it is a git repository or holds files of the course, and
-/// a class otherwise: then each folder and archive in it is a student's.
+/// Takes what is handed in. A folder is one submission when it is a git repository or holds files
+/// of the course, and a class otherwise: then each folder and archive in it is a student's.
 /// \param which the exercises of the course
 /// \param from folders, archives (zip, tar, tar.gz, tar.xz, tar.bz2), git repositories and bundles
-/// \param student the name for the only submission; empty: names of files and folders are names of students
+/// \param student the name for the only submission; empty: names of files and folders are names of
+/// students
 /// \throws Failure (usage) when a source does not exist, or `student` is given for several
 Intake takeIn(const std::vector<const Exercise*>& which, const std::vector<fs::path>& from,
               const std::string& student, const IntakeLimits& limits = {});
 
-/// A student's name as a name of a folder, a cell and a heading: letters of all scripts, digits, blanks and the
-/// signs _ - . , @ ' ( ) stay, everything else becomes _; no dot or sign of a formula in front.
+/// A student's name as a name of a folder, a cell and a heading: letters of all scripts, digits,
+/// blanks and the signs _ - . , @ ' ( ) stay, everything else becomes _; no dot or sign of a
+/// formula in front.
 std::string safeName(std::string_view name);
 
 }  // namespace carom::runner

@@ -1,4 +1,5 @@
-// A made-up class, graded from what is handed in to what is read: right and wrong answers, accidents, and attacks.
+// A made-up class, graded from what is handed in to what is read: right and wrong answers,
+// accidents, and attacks.
 
 #include <unistd.h>
 
@@ -375,7 +376,8 @@ TEST_CASE("a student or a check is graded anew from what was kept, and nothing e
   const auto before = filesBelow(school().out("one"));
   fs::remove_all(out);
   fs::copy(school().out("one"), out, fs::copy_options::recursive);
-  // Somebody changed the record of a check: grading it anew finds the truth, from the files that were kept.
+  // Somebody changed the record of a check: grading it anew finds the truth, from the files that
+  // were kept.
   json record = parsed(recordFile(out, "cem"));
   for (auto& check : record["exercises"][kProduct]["checks"]) {
     if (check["name"] == "order") check = {{"name", "order"}, {"status", "passed"}};

@@ -1,4 +1,5 @@
-// What students hand in, and what an enemy does: every file that is taken, and every sentence that says why not.
+// What students hand in, and what an enemy does: every file that is taken, and every sentence that
+// says why not.
 
 #include "runner/intake.hpp"
 

@@ -1,7 +1,9 @@
 // Makes classes from what the course has, and judges what grading made of them. By hand:
 //
-//   sample_class ROOT BUILD mixture FOLDER STUDENTS EXERCISES   then  course teach grade FOLDER --out OUT
-//   sample_class ROOT BUILD versions FOLDER                     then  course teach grade FOLDER --out OUT
+//   sample_class ROOT BUILD mixture FOLDER STUDENTS EXERCISES
+//   course teach grade FOLDER --out OUT
+//   sample_class ROOT BUILD versions FOLDER
+//   course teach grade FOLDER --out OUT
 //   sample_class ROOT BUILD judge OUT
 
 #include <iostream>
