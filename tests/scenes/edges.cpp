@@ -13,7 +13,7 @@ namespace carom::scenes {
 namespace {
 
 constexpr Real kHalfDepth = 0.25;  // along y, which no answer depends on [m]
-constexpr Real kGripping = 10;     // friction that nothing overcomes
+constexpr Real kGripping = 1;      // friction that nothing here overcomes
 
 // The angle by which a body has turned about y.
 Real angleAboutY(const State& body) {
