@@ -42,6 +42,7 @@ PatchPoint centreOf(const ContactPatch& patch, Real& radius) {
   for (int i = 0; i < patch.count; ++i) {
     centre.armA += weight(i) * patch.points[i].armA;
     centre.armB += weight(i) * patch.points[i].armB;
+    centre.before += weight(i) * patch.points[i].before;
     centre.drift += weight(i) * patch.points[i].drift;
   }
   radius = 0;
@@ -123,7 +124,7 @@ ContactBlock prepareBlock(const ContactPatch& patch, std::span<const MovingBody>
 
   for (int k = 0; k < block.rubs; ++k) {
     const PushRow& row = block.tangents[k];
-    block.slipBefore[k] = speedAtEnd(row, a, b) - 2 * row.drift;
+    block.slipBefore[k] = speedAtEnd(row, a, b) - row.drift - row.direction.dot(centre.before);
   }
   block.slips = block.slipBefore.norm() > patch.slowest;
   return block;

@@ -31,8 +31,9 @@ namespace carom {
 struct PatchPoint {
   Vector3 armA = Vector3::Zero();  ///< from A's centre of mass [m, world]
   Vector3 armB = Vector3::Zero();  ///< from B's centre of mass [m, world]
-  /// What the arms' turning adds to the relative velocity until the end of the step, and what it
-  /// took from it since the start; they are equal to first order [m/s, world].
+  /// What the arms' turning has added to the relative velocity since the start [m/s, world].
+  Vector3 before = Vector3::Zero();
+  /// What it will add until the end [m/s, world].
   Vector3 drift = Vector3::Zero();
   Real target = 0;   ///< at least this fast the points have to part at the end [m/s]
   Real impulse = 0;  ///< along the normal: where to start; then the solution [N s]

@@ -21,6 +21,7 @@ Vector3 frictionAgainst(const ContactBlock& block, const Vector3& w, Real limit)
   const Real reach = w.norm() / limit;
   Real s = std::max(Real(0), reach - 1 / block.lightest);
   Vector3 f = sticking;
+  if (!std::isfinite(reach)) return Vector3::Zero();
   constexpr int kMost = 20;
   constexpr Real kExact = 4 * std::numeric_limits<Real>::epsilon();
   for (int i = 0; i < kMost; ++i) {
@@ -44,6 +45,11 @@ Vector3 wantedRub(const ContactBlock& block, const Vector3& slip, Real pressed) 
   const Vector3 sum = block.slipBefore + without;
   if ((block.inverse * sum).squaredNorm() > limit * limit) {
     return frictionAgainst(block, sum, limit);
+  }
+  // Friction that could stop it a thousand times over stops it at once.
+  constexpr Real kAtOnce = 1e3;
+  if (limit > kAtOnce * (block.inverse * block.slipBefore).norm()) {
+    return frictionAgainst(block, without, limit);
   }
   return -limit / block.slipBefore.norm() * block.slipBefore;
 }
@@ -110,6 +116,12 @@ Sweeps solvePatches(std::span<MovingBody> bodies, std::span<ContactBlock> blocks
       done.change = std::max(done.change, change);
     }
     ++done.sweeps;
+    // A steep edge that slips can jam: friction presses it, and pressure makes friction, without end
+    // (Painlevé 1895). It then does not slip on but sticks, as far as the cone allows.
+    constexpr Real kWild = 100;
+    if (done.change > kWild * limits.speed) {
+      for (ContactBlock& block : blocks) block.slips = false;
+    }
     unchanged = done.change < best / 2 ? 0 : unchanged + 1;
     best = std::min(best, done.change);
     if (best < kAlmost * limits.speed && unchanged > kPatience) break;

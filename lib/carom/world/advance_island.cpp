@@ -5,6 +5,7 @@
 
 #include "carom/world/contact_phase.hpp"
 #include "carom/world/find_islands.hpp"
+#include "carom/world/islands.hpp"
 #include "carom/world/move_body.hpp"
 #include "carom/world/next_contact.hpp"
 #include "carom/world/project_positions.hpp"
@@ -41,11 +42,8 @@ void pairsOfSet(WorldState& state, Index island) {
       });
     }
   }
-  const auto name = [&](Index pair) {
-    return pairOf(state.pairs[at(pair)].shapeA, state.pairs[at(pair)].shapeB);
-  };
   std::sort(work.setPairs.begin(), work.setPairs.end(),
-            [&](Index p, Index q) { return name(p) < name(q); });
+            [&](Index p, Index q) { return orderOf(state, p) < orderOf(state, q); });
   work.setPairs.erase(std::unique(work.setPairs.begin(), work.setPairs.end()), work.setPairs.end());
 }
 

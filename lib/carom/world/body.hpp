@@ -44,27 +44,28 @@ struct Filter {
 
 /// One shape of a body. \ingroup world
 struct ShapeDescription {
-  Shape shape = Ball{};  ///< any solid; a half-space only on bodies that no force moves
-  Pose pose;             ///< body from shape
-  Material material;     ///< friction and bounce
-  Filter filter;         ///< what it meets
-  Real density = 1000;   ///< positive; used where the body has no mass of its own [kg/m^3]
+  Shape shape = Ball{};    ///< any solid; a half-space only on bodies that no force moves
+  Pose pose = {};          ///< body from shape
+  Material material = {};  ///< friction and bounce
+  Filter filter = {};      ///< what it meets
+  Real density = 1000;     ///< positive; used where the body has no mass of its own [kg/m^3]
   /// Ground made of triangles, instead of `shape`; only on immovable bodies. Its front is where the
   /// corners run counter-clockwise; it has no inside.
-  std::shared_ptr<const TriangleMesh> ground;
+  std::shared_ptr<const TriangleMesh> ground = {};
 };
 
 /// A body, as the user describes it. \ingroup world
 struct BodyDescription {
   BodyKind kind = BodyKind::dynamic;          ///< what may move it
   Vector3 position = Vector3::Zero();         ///< origin of the body's frame [m, world]
-  Quaternion orientation;                     ///< body to world, of norm one
+  Quaternion orientation = {};                ///< body to world, of norm one
   Vector3 velocity = Vector3::Zero();         ///< of the centre of mass [m/s, world]
   Vector3 angularVelocity = Vector3::Zero();  ///< [rad/s, world]
-  std::vector<ShapeDescription> shapes;       ///< may be empty if the mass is given
-  std::optional<MassProperties> mass;  ///< mass, centre and inertia in the frame of the body; if
-                                       ///< not given, from shapes and densities
-  bool maySleep = true;                ///< false: stays awake, and all that it touches
+  std::vector<ShapeDescription> shapes = {};  ///< may be empty if the mass is given
+  std::optional<MassProperties> mass =
+      {};                ///< mass, centre and inertia in the frame of the body; if
+                         ///< not given, from shapes and densities
+  bool maySleep = true;  ///< false: stays awake, and all that it touches
 };
 
 }  // namespace carom::world

@@ -52,6 +52,8 @@ void moveArms(const WorldState& state, const PairSlot& pair, std::uint32_t id, R
     return then;
   };
   const PatchPoint middle = arms(duration / 2), end = arms(duration);
+  point.before =
+      cross(wB, Vector3(middle.armB - point.armB)) - cross(wA, Vector3(middle.armA - point.armA));
   point.armA = middle.armA;
   point.armB = middle.armB;
   point.drift =

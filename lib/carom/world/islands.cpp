@@ -85,10 +85,8 @@ void join(WorldState& state, Index from, Index to) {
 
 void sortIsland(WorldState& state, IslandSlot& island) {
   std::sort(island.bodies.begin(), island.bodies.end());
-  std::sort(island.pairs.begin(), island.pairs.end(), [&](Index a, Index b) {
-    const PairSlot &p = state.pairs[at(a)], &q = state.pairs[at(b)];
-    return pairOf(p.shapeA, p.shapeB) < pairOf(q.shapeA, q.shapeB);
-  });
+  std::sort(island.pairs.begin(), island.pairs.end(),
+            [&](Index a, Index b) { return orderOf(state, a) < orderOf(state, b); });
   for (std::size_t i = 0; i < island.pairs.size(); ++i) {
     state.pairs[at(island.pairs[i])].islandAt = static_cast<Index>(i);
   }
@@ -150,6 +148,13 @@ void split(WorldState& state, Index index) {
 }
 
 }  // namespace
+
+IndexPair orderOf(const WorldState& state, Index pair) {
+  const PairSlot& slot = state.pairs[at(pair)];
+  if (isDynamic(state.bodies[at(slot.bodyA)])) return pairOf(slot.shapeA, slot.shapeB);
+  // Before all pairs of the shape that moves.
+  return {slot.shapeB, slot.shapeA - std::numeric_limits<Index>::max()};
+}
 
 void joinByPair(WorldState& state, Index pair) {
   const PairSlot& slot = state.pairs[at(pair)];

@@ -15,6 +15,11 @@
 
 namespace carom::world {
 
+/// The name by which pairs are put into order: it depends on the bodies of their island alone, and
+/// not on when the ground under them was added. \param state of the world \param pair any
+/// \return names compare as the pairs should \ingroup world
+IndexPair orderOf(const WorldState& state, Index pair);
+
 /// Lets a pair hold its bodies together. \param state of the world \param pair that is not held yet
 /// \ingroup world
 void joinByPair(WorldState& state, Index pair);
