@@ -115,7 +115,7 @@ void BroadPhase::touch(std::int32_t body) {
 
 // Fewer than this share of all: each asks the trees. The numbers here are those for which both ways
 // are about as fast in the suite `broadphase`.
-constexpr std::int64_t kShare = 8;
+constexpr std::int64_t kShare = 6;
 constexpr std::int32_t kSweepUpTo = 500;  // bodies; above, a grid compares fewer
 constexpr std::int64_t kMostBig = 16;     // bodies that each would be compared with all
 constexpr std::int32_t kGridRest = 64;    // updates, where it had too many big ones

@@ -5,7 +5,7 @@
 // nothing to do for it. One that leaves gets a new box and asks the trees who meets it; its old
 // pairs are looked at again, its new ones are added. Bodies that never move are in a tree of their
 // own, which is asked by those who move and never asks itself.
-// How those that left find partners (PairSearch): if they are fewer than an eighth of all, each asks
+// How those that left find partners (PairSearch): if they are fewer than a sixth of all, each asks
 // the trees. If more, the pairs of all are found anew, which costs less for each: by a sweep up to
 // 500 bodies, by a grid above, unless more than 16 bodies are too big for its cells. The trees then
 // wait until they are asked for. The same pairs come out, whichever way.
