@@ -251,6 +251,8 @@ void draw(const std::filesystem::path& folder, BroadScene scene,
   plot.describe("Time of a step's broad phase over the number of bodies, both logarithmic.");
   plot.xAxis("bodies", carom::io::Scale::Logarithmic);
   plot.yAxis("processor time of a step [us]", carom::io::Scale::Logarithmic);
+  // The same axis for all scenes.
+  plot.yRange(0.03, 1e6);
   std::vector<std::string> names;
   for (const Result& result : results) {
     if (std::find(names.begin(), names.end(), result.engine) == names.end()) {
@@ -268,7 +270,7 @@ void draw(const std::filesystem::path& folder, BroadScene scene,
     }
     plot.curve(names[k], x, y, carom::bench::styleOf(k, peer));
   }
-  carom::bench::sign(plot, 110, 2e5, 0.45);
+  carom::bench::sign(plot, 110, 4e5, 0.4);
   plot.writeSvg(folder / (std::string("broadphase_") + carom::bench::nameOf(scene) + ".svg"));
 }
 
