@@ -53,7 +53,7 @@ struct Thing {
   Vector3 position = Vector3::Zero();
   Vector3 velocity = Vector3::Zero();
   Vector3 angularVelocity = Vector3::Zero();
-  Quaternion orientation;
+  Quaternion orientation = {};
   Real friction = 0;
   Real restitution = 0;
 };
