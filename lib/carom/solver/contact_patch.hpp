@@ -1,16 +1,16 @@
 #pragma once
 // What does a solver keep of two bodies that touch over an area?
 //
-// Method: up to four rows along the normal, one per point of the manifold, and one block of friction
-// for all of them together: two directions and a turn about the normal, at the centre of pressure.
-// Friction of the whole is at most mu times the sum of the normal impulses, a cone, with the turn
-// counted as the slip of a point at the mean distance from the centre.
+// Method: up to four rows along the normal, one per point of the manifold, and one block of
+// friction for all of them together: two directions and a turn about the normal, at the centre of
+// pressure. Friction of the whole is at most mu times the sum of the normal impulses, a cone, with
+// the turn counted as the slip of a point at the mean distance from the centre.
 // Why one block of friction and not one per point: four cones on four points have a solution too,
 // but many, and a block at its limit is then found only after thousands of sweeps. One block is
 // solved at once, and a body that slides without turning feels the same force.
-// A block knows whether it slips at the start. If it does, friction is at its limit against the mean
-// slip, and a slip that would turn round ends at a time that can be computed (stopTime()). If it does
-// not, friction is what it takes to stay so, within the cone.
+// A block knows whether it slips at the start. If it does, friction is at its limit against the
+// mean slip, and a slip that would turn round ends at a time that can be computed (stopTime()). If
+// it does not, friction is what it takes to stay so, within the cone.
 // Source: the cone and the centre as in Box3D (Catto 2025) and Jolt; the ellipsoid of force and
 // torque: Howe and Cutkosky 1996; duals as the mean of velocities: Anitescu and Potra 2002.
 // Not handled: pressure that is not even where a body slides and spins at once (sliding_disc.hpp).
@@ -120,8 +120,9 @@ void warmStart(const ContactBlock& block, std::span<MovingBody> bodies);
 /// \return slip at the end of the step [m/s] \ingroup solver
 Vector3 slipOf(const ContactBlock& block, std::span<const MovingBody> bodies);
 
-/// When a block that slips stops slipping, if its slip changes evenly from that at the start to that
-/// now. \param block as solved \param bodies as they move at the end \param duration of the step [s]
+/// When a block that slips stops slipping, if its slip changes evenly from that at the start to
+/// that now. \param block as solved \param bodies as they move at the end \param duration of the
+/// step [s]
 /// \return time from the start; infinite if it does not stop within the step [s] \ingroup solver
 Real stopTime(const ContactBlock& block, std::span<const MovingBody> bodies, Real duration);
 

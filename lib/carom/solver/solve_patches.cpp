@@ -12,7 +12,8 @@ namespace {
 
 // The friction within a cone of the given size that acts against a slip, which is w without it and
 // w + S f with it: f = -(S + s)^-1 w with s = 0 if that sticks, else such that |f| is the limit.
-// Newton's method for 1/|f| - 1/limit, which is almost a straight line in s (Moré and Sorensen 1983).
+// Newton's method for 1/|f| - 1/limit, which is almost a straight line in s (Moré and Sorensen
+// 1983).
 Vector3 frictionAgainst(const ContactBlock& block, const Vector3& w, Real limit) {
   const Vector3 sticking = -(block.inverse * w);
   if (sticking.squaredNorm() <= limit * limit) return sticking;
@@ -116,8 +117,8 @@ Sweeps solvePatches(std::span<MovingBody> bodies, std::span<ContactBlock> blocks
       done.change = std::max(done.change, change);
     }
     ++done.sweeps;
-    // A steep edge that slips can jam: friction presses it, and pressure makes friction, without end
-    // (Painlevé 1895). It then does not slip on but sticks, as far as the cone allows.
+    // A steep edge that slips can jam: friction presses it, and pressure makes friction, without
+    // end (Painlevé 1895). It then does not slip on but sticks, as far as the cone allows.
     constexpr Real kWild = 100;
     if (done.change > kWild * limits.speed) {
       for (ContactBlock& block : blocks) block.slips = false;

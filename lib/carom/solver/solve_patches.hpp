@@ -2,10 +2,10 @@
 // How are many contacts solved that push on one another?
 //
 // Method: sequential impulses, which is Gauss and Seidel's method with limits. A sweep visits each
-// block, takes the friction that its slip asks for within the cone, then along the normal what keeps
-// each point from approaching; every impulse acts on the velocities at once, so that the next block
-// sees it. The total of each row is limited, not what one visit adds. Sweeps go on until they change
-// nothing any more, or the budget is used up.
+// block, takes the friction that its slip asks for within the cone, then along the normal what
+// keeps each point from approaching; every impulse acts on the velocities at once, so that the next
+// block sees it. The total of each row is limited, not what one visit adds. Sweeps go on until they
+// change nothing any more, or the budget is used up.
 // Why: each sweep costs as much as looking at the contacts once; beginning with the impulses of the
 // last step (warm starting), a scene at rest needs one.
 // Source: Moreau and Jean 1994 (contact dynamics); Catto, GDC 2006; Jourdan, Alart and Jean 1998

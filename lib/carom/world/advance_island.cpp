@@ -76,8 +76,8 @@ void findClusters(WorldState& state) {
   }
 }
 
-// Something has happened to the bodies of the set, who are all at this time: impacts, then what they
-// do until the end of the step, and when the next thing happens to them.
+// Something has happened to the bodies of the set, who are all at this time: impacts, then what
+// they do until the end of the step, and when the next thing happens to them.
 // Returns whether their contacts settled.
 bool settle(WorldState& state, Index island, Real time, Real dt, bool bounce) {
   Workspace& work = state.work;

@@ -1,13 +1,14 @@
 #pragma once
 // How is one island stepped?
 //
-// Method: by events. The bodies of the island move on parabolas, those that touch by the accelerations
-// of their phase, until the first of them meets something or stops slipping. Only the bodies that
-// this concerns are brought to that moment; impacts are resolved there, their contacts are solved for
-// what is left of the step, and only their pairs are searched again. At the end all are at the end.
-// A pair of balls in a gas of thousands costs a pair of balls.
-// An island with more closed contacts than the settings allow is stepped at once instead: what would
-// meet within the step meets at its start, and its points are held apart until they can touch.
+// Method: by events. The bodies of the island move on parabolas, those that touch by the
+// accelerations of their phase, until the first of them meets something or stops slipping. Only the
+// bodies that this concerns are brought to that moment; impacts are resolved there, their contacts
+// are solved for what is left of the step, and only their pairs are searched again. At the end all
+// are at the end. A pair of balls in a gas of thousands costs a pair of balls.
+// An island with more closed contacts than the settings allow is stepped at once instead: what
+// would meet within the step meets at its start, and its points are held apart until they can
+// touch.
 // Source: event-driven molecular dynamics, Alder and Wainwright 1959; own clocks: Lubachevsky 1991;
 // at once: speculative contacts, Firth 2011, after impacts as in Moreau's time stepping.
 // Not handled: islands that meet each other within the step are one island (update_contacts.hpp).

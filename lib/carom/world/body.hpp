@@ -1,10 +1,10 @@
 #pragma once
 // What does a world have to be told about a body?
 //
-// Where it is, how it moves, what it is made of. The frame of the body is the user's own: its shapes
-// stand in it, and position and orientation say where it is. Inside, the world keeps each body at
-// its centre of mass and along its principal axes, where free motion has a closed form; that is
-// nobody's business but its own. Velocities are those of the centre of mass.
+// Where it is, how it moves, what it is made of. The frame of the body is the user's own: its
+// shapes stand in it, and position and orientation say where it is. Inside, the world keeps each
+// body at its centre of mass and along its principal axes, where free motion has a closed form;
+// that is nobody's business but its own. Velocities are those of the centre of mass.
 // Not handled: bodies that bend, break or change their mass.
 
 #include <cstdint>
@@ -49,8 +49,8 @@ struct ShapeDescription {
   Material material = {};  ///< friction and bounce
   Filter filter = {};      ///< what it meets
   Real density = 1000;     ///< positive; used where the body has no mass of its own [kg/m^3]
-  /// Ground made of triangles, instead of `shape`; only on immovable bodies. Its front is where the
-  /// corners run counter-clockwise; it has no inside.
+  /// Ground made of triangles, instead of `shape`: has its place here, and is refused so far. Its
+  /// front is where corners run counter-clockwise; it has no inside.
   std::shared_ptr<const TriangleMesh> ground = {};
 };
 

@@ -3,11 +3,11 @@
 //
 // Method: as long as no contact begins, ends, sticks or slips, forces and accelerations are nearly
 // constant. So the contacts are solved once, for the velocities at the end of the time, and the
-// bodies move by the mean of the velocities at both ends. For a block that slides, a ball that slips
-// and anything that rests this is exact; otherwise its error goes with the square of the step.
-// For that the solver looks at the contacts as they will be: impulses act at the arms of the middle
-// of the time, and velocities are asked for at its end. Arms turn with the body whose corner it is;
-// a ball's arm stays below its middle.
+// bodies move by the mean of the velocities at both ends. For a block that slides, a ball that
+// slips and anything that rests this is exact; otherwise its error goes with the square of the
+// step. For that the solver looks at the contacts as they will be: impulses act at the arms of the
+// middle of the time, and velocities are asked for at its end. Arms turn with the body whose corner
+// it is; a ball's arm stays below its middle.
 // The end of slipping is found on the way: slip changes evenly, so its time is a division.
 // Source: the trapezoidal rule; Jean 1999 for contacts with a midpoint; stop times: chapter 5.
 // Not handled: normals of two round bodies that roll on each other, which turn within the step and
@@ -25,14 +25,14 @@ struct PhaseTask {
   std::span<const Index> pairs;   ///< with manifolds of that time
   Real start = 0;                 ///< in this step [s]
   Real end = 0;                   ///< end of the step [s]
-  /// Points that are apart are rows, too, and may close until the end. Without it only closed points
-  /// are, and others are left to the search for events.
+  /// Points that are apart are rows, too, and may close until the end. Without it only closed
+  /// points are, and others are left to the search for events.
   bool speculative = false;
 };
 
-/// Solves the contacts of a set of bodies until the end of the step: accelerations and velocities at
-/// the end are set in the bodies, forces in the pairs. A pair whose slipping ends before has that
-/// time in `stop`. \param state of the world \param task what to solve
+/// Solves the contacts of a set of bodies until the end of the step: accelerations and velocities
+/// at the end are set in the bodies, forces in the pairs. A pair whose slipping ends before has
+/// that time in `stop`. \param state of the world \param task what to solve
 /// \return whether the sweeps came to an end; if not, times and small speeds mean little
 /// \ingroup world
 bool solvePhase(WorldState& state, const PhaseTask& task);
@@ -46,8 +46,9 @@ void gather(WorldState& state, std::span<const Index> bodies, std::span<const In
 /// \param state of the world \return [m/s] \ingroup world
 Real slowSpeed(const WorldState& state);
 
-/// How fast a point of a pair's manifold parts. \param state of the world, all bodies of the pair at
-/// the time of the manifold \param pair which \param point its number \return [m/s] \ingroup world
+/// How fast a point of a pair's manifold parts. \param state of the world, all bodies of the pair
+/// at the time of the manifold \param pair which \param point its number \return [m/s]
+/// \ingroup world
 Real partingSpeed(const WorldState& state, const PairSlot& pair, int point);
 
 /// A pair as the solver wants it, at the start of the time. \param state of the world, gathered

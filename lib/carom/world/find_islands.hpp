@@ -1,14 +1,16 @@
 #pragma once
 // Which bodies have to be stepped together?
 //
-// Method: union and find. Each body begins as an island of its own; each contact joins the islands of
-// its two bodies; the island is named by its smallest number. Who asks for a name walks to the top,
-// and shortens the way for the next one.
+// Method: union and find. Each body begins as an island of its own; each contact joins the islands
+// of its two bodies; the island is named by its smallest number. Who asks for a name walks to the
+// top, and shortens the way for the next one.
 // Why not walk from body to body: that needs a list of neighbours per body and a stack; here one
 // number per body is all there is.
-// The one trap: a body that nothing moves conducts nothing. Two towers on one floor are two islands.
+// The one trap: a body that nothing moves conducts nothing. Two towers on one floor are two
+// islands.
 // Source: Galler and Fischer 1964; halving of paths: van der Weide 1980.
-// Not handled: islands that come apart slowly; whoever keeps islands asks again when a contact ends.
+// Not handled: islands that come apart slowly; whoever keeps islands asks again when a contact
+// ends.
 
 #include <cstdint>
 #include <span>

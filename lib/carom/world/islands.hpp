@@ -1,12 +1,13 @@
 #pragma once
 // How are islands kept while contacts come and go?
 //
-// Method: a pair that begins joins two islands at once: the smaller one's bodies and pairs move over
-// to the larger one. A pair that ends leaves its island marked; before the next time that the island
-// is stepped it is looked through (find_islands.hpp), and what has come apart gets islands of its
-// own. A body that no pair holds has no island.
+// Method: a pair that begins joins two islands at once: the smaller one's bodies and pairs move
+// over to the larger one. A pair that ends leaves its island marked; before the next time that the
+// island is stepped it is looked through (find_islands.hpp), and what has come apart gets islands
+// of its own. A body that no pair holds has no island.
 // Why not all anew in each step: in a quiet scene nothing begins or ends, and nothing is done.
-// An island sleeps or wakes as a whole. What is awake stands in lists, and nothing else is looked at.
+// An island sleeps or wakes as a whole. What is awake stands in lists, and nothing else is looked
+// at.
 // Source: Catto, Simulation islands, 2023 (lists that are joined at once and split when needed).
 // Not handled: the order within an island is by ids, made when it is needed, so that a scene gives
 // the same numbers whatever else there is in the world.

@@ -2,12 +2,12 @@
 // Is a body at rest, or does it only move slowly?
 //
 // Method: watch it for a while, and compare the two halves of that time. A body that comes to rest
-// moves less and less: its second way is much shorter than its first. One that begins to tip is just
-// as slow, but its way grows; one that creeps goes on evenly. Rest is: slow, not far, and dying out;
-// or so little, in both halves, that only rounding or the sweeps of a solver can be the cause, and
-// not growing.
-// Why not speed alone: a pencil that stands on its tip begins to fall at no speed at all, and a ball
-// is slowest at the top of its flight.
+// moves less and less: its second way is much shorter than its first. One that begins to tip is
+// just as slow, but its way grows; one that creeps goes on evenly. Rest is: slow, not far, and
+// dying out; or so little, in both halves, that only rounding or the sweeps of a solver can be the
+// cause, and not growing.
+// Why not speed alone: a pencil that stands on its tip begins to fall at no speed at all, and a
+// ball is slowest at the top of its flight.
 // Source: the idea of a window of time is common (Bullet, Box2D); comparing its halves is ours.
 // Not handled: bodies that wait for a push that the world does not know of; wake them.
 

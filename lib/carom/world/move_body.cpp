@@ -135,7 +135,8 @@ Vector3 turnedRate(const BodySlot& body, Real duration) {
   const Vector3& w = body.velocity.angular;
   const Matrix3& R = body.pose.R_WB;
   const Vector3 L = R * body.moments.cwiseProduct(R.transpose() * w);
-  // The angular momentum stays; the axes turn with the mean rate, which two rounds find well enough.
+  // The angular momentum stays; the axes turn with the mean rate, which two rounds find well
+  // enough.
   Vector3 after = w;
   for (int round = 0; round < 2; ++round) {
     const Quaternion turn = integrateOrientation(Quaternion{}, (w + after) / 2, duration);

@@ -5,7 +5,8 @@
 // ball steadily about its axis, any other in closed form from the last moment at which something
 // changed its rotation (free_rotor.hpp). A body in contact has constant accelerations, found by the
 // solver for this part of the step; it moves by the mean of its velocities.
-// What a body does not need it does not pay: no closed form for a ball, none for what does not turn.
+// What a body does not need it does not pay: no closed form for a ball, none for what does not
+// turn.
 // Source: equations 1 and 16; Störmer and Verlet for the mean of the velocities.
 // Not handled: what it may hit on the way (next_contact.hpp).
 

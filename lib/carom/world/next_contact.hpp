@@ -1,13 +1,13 @@
 #pragma once
 // When do two bodies meet next, within this step?
 //
-// Method: two that are apart have their first contact searched for (toi/first_contact.hpp), balls in
-// closed form. Where they touch already that search has nothing to say: there each point of the
-// manifold that is not held is followed along its parabola, a corner that comes down beside a corner
-// that stands, a ball that has just bounced. When such a time comes, the manifold is made anew and
-// says how things are.
-// Why not always the search: a body that is too slow to meet anything in this step is left out by one
-// comparison of ways.
+// Method: two that are apart have their first contact searched for (toi/first_contact.hpp), balls
+// in closed form. Where they touch already that search has nothing to say: there each point of the
+// manifold that is not held is followed along its parabola, a corner that comes down beside a
+// corner that stands, a ball that has just bounced. When such a time comes, the manifold is made
+// anew and says how things are.
+// Why not always the search: a body that is too slow to meet anything in this step is left out by
+// one comparison of ways.
 // Not handled: points that are not in the manifold of a pair that touches.
 
 #include "carom/world/world_state.hpp"

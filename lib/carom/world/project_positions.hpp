@@ -2,9 +2,9 @@
 // How is an overlap taken away without making speed of it?
 //
 // Method: the bodies of an island are pushed apart by moving them, along the normals, by what is
-// wanted and no more; velocities are not touched. Overlaps are taken away whole, contacts that carried
-// and have come off by less than the tolerance are closed again. Deep overlaps come apart in steps.
-// Where nothing is off by more than rounding nothing is done.
+// wanted and no more; velocities are not touched. Overlaps are taken away whole, contacts that
+// carried and have come off by less than the tolerance are closed again. Deep overlaps come apart
+// in steps. Where nothing is off by more than rounding nothing is done.
 // Why not by velocity (Baumgarte 1972): the speed that pushes bodies apart stays with them.
 // Source: nonlinear Gauss-Seidel; Cline and Pai 2003; split impulses: Guendelman and others 2003.
 // Not handled: the best way out of a deep overlap of many bodies.

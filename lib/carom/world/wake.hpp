@@ -4,8 +4,8 @@
 // Method: the body itself, and whoever touches one that is awake, again and again until nobody is
 // added. Bodies that nothing moves are not woken and pass nothing on: a push on one tower of a city
 // must not wake all that stand on the same ground.
-// Why all of them and not the neighbours alone: the box at the bottom is held down by the one at the
-// top, and what is asleep does not notice that its neighbour has gone.
+// Why all of them and not the neighbours alone: the box at the bottom is held down by the one at
+// the top, and what is asleep does not notice that its neighbour has gone.
 // Source: islands that sleep as a whole: Open Dynamics Engine, Box2D.
 // Not handled: bodies near by that do not touch; they wake when they are touched.
 

@@ -3,8 +3,8 @@
 //
 // Plain arrays. A body, a shape and a pair each have a place in one, and are named by its number
 // everywhere inside; only at the door do numbers become ids. What is awake stands in lists of its
-// own, so that a step never looks at what sleeps. A compound is as many shapes here as it has parts:
-// each pair of shapes has one manifold.
+// own, so that a step never looks at what sleeps. A compound is as many shapes here as it has
+// parts: each pair of shapes has one manifold.
 // Not handled: who may change what (world.cpp and the stages it calls).
 
 #include <array>
