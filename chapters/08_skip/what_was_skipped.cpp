@@ -106,7 +106,7 @@ int main() {
   smooth.friction = false;
   //! [switches]
   const std::vector<std::string> names = {"all on",   "all pairs", "no sleep",
-                                          "no times", "no closed", "no rubbing"};
+                                          "no times", "no closed", "no rub"};
   std::vector<Run> runs;
   for (const WorldSettings& settings : {all, everyPair, awake, blind, kicked, smooth}) {
     runs.push_back(runWith(settings));
