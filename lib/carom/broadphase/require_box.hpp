@@ -17,8 +17,10 @@ namespace carom {
 template <int Dim>
 void requireBox(const Aabb<Dim>& box);
 
+/// \cond
 extern template void requireBox(const Aabb<2>& box);
 extern template void requireBox(const Aabb<3>& box);
+/// \endcond
 
 /// Lets only usable numbers of items pass.
 /// \param item what the caller calls one of its boxes

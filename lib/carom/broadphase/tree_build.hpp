@@ -45,9 +45,11 @@ struct BuildScratch {
 template <int Dim>
 void buildTree(std::vector<BoxedItem<Dim>>& items, TreeNodes<Dim>& tree, BuildScratch& scratch);
 
+/// \cond
 extern template void buildTree(std::vector<BoxedItem<2>>& items, TreeNodes<2>& tree,
                                BuildScratch& scratch);
 extern template void buildTree(std::vector<BoxedItem<3>>& items, TreeNodes<3>& tree,
                                BuildScratch& scratch);
+/// \endcond
 
 }  // namespace carom

@@ -97,7 +97,8 @@ struct BodySlot {
   Vector3 turning = Vector3::Zero();       ///< from then on [rad/s^2, world]
   Velocity atEnd;                          ///< velocity at the end of the step, if nothing happens
   Real restTime = 0;                       ///< how long it has been watched for rest [s]
-  Pose restStart, restMiddle;              ///< where it was then, and half way [world]
+  Pose restStart;                          ///< where it was then [world]
+  Pose restMiddle;                         ///< and half way [world]
   bool restHalf = false;                   ///< the middle has been passed
   Real restSpeed = 0;                      ///< the fastest of its points since then [m/s]
 };
