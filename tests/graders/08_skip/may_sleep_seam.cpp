@@ -1,8 +1,7 @@
 #include "carom/world/may_sleep.hpp"
 
 #include "grading/fields_world.hpp"
-#include "grading/seam.hpp"
+#include "grading/seam_in.hpp"
 
-using namespace carom::world;
-
-CAROM_SEAM(bool, maySleep, (const RestWatch& watch, const RestLimits& limits), (watch, limits))
+CAROM_SEAM_IN(carom::world, bool, maySleep,
+              (const world::RestWatch& watch, const world::RestLimits& limits), (watch, limits))

@@ -1,0 +1,24 @@
+#include "carom/world/find_islands.hpp"
+
+#include <algorithm>
+
+namespace carom::world {
+
+std::int32_t topOf(std::span<const std::int32_t> island, std::int32_t body) {
+  while (island[body] != body) body = island[body];
+  return body;
+}
+
+void findIslands(std::span<const IndexPair> contacts, std::span<const std::uint8_t> movable,
+                 std::span<std::int32_t> island) {
+  const auto count = static_cast<std::int32_t>(movable.size());
+  for (std::int32_t i = 0; i < count; ++i) island[i] = i;
+  for (const IndexPair& contact : contacts) {
+    if (movable[contact.first] == 0 || movable[contact.second] == 0) continue;
+    const std::int32_t a = contact.first, b = contact.second;
+    island[std::max(a, b)] = std::min(a, b);
+  }
+  for (std::int32_t i = 0; i < count; ++i) island[i] = movable[i] == 0 ? kNone : topOf(island, i);
+}
+
+}  // namespace carom::world

@@ -1,0 +1,31 @@
+#include "carom/world/find_islands.hpp"
+
+#include <algorithm>
+#include <vector>
+
+namespace carom::world {
+
+std::int32_t topOf(std::span<const std::int32_t> island, std::int32_t body) {
+  while (island[body] != body) body = island[body];
+  return body;
+}
+
+void findIslands(std::span<const IndexPair> contacts, std::span<const std::uint8_t> movable,
+                 std::span<std::int32_t> island) {
+  const auto count = static_cast<std::int32_t>(movable.size());
+  for (std::int32_t i = 0; i < count; ++i) island[i] = i;
+  for (const IndexPair& contact : contacts) {
+    if (movable[contact.first] == 0 || movable[contact.second] == 0) continue;
+    const std::int32_t a = topOf(island, contact.first), b = topOf(island, contact.second);
+    island[std::max(a, b)] = std::min(a, b);
+  }
+  for (std::int32_t i = 0; i < count; ++i) island[i] = topOf(island, i);
+  std::vector<std::int32_t> number(movable.size(), kNone);
+  std::int32_t next = 0;
+  for (std::int32_t i = 0; i < count; ++i) {
+    if (movable[i] != 0 && island[i] == i) number[i] = next++;
+  }
+  for (std::int32_t i = 0; i < count; ++i) island[i] = movable[i] == 0 ? kNone : number[island[i]];
+}
+
+}  // namespace carom::world

@@ -1,0 +1,9 @@
+#include "carom/world/may_sleep.hpp"
+
+namespace carom::world {
+
+bool maySleep(const RestWatch& watch, const RestLimits& limits) {
+  return watch.speed <= limits.speed;
+}
+
+}  // namespace carom::world
