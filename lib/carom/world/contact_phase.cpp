@@ -145,6 +145,8 @@ void addPatch(WorldState& state, const PhaseTask& task, Index index) {
   constexpr Real kStuck = 1e-3, kNone = 1e-10;
   const Real step = state.settings.gravity.norm() * state.lastStep;
   patch.slowest = (pair.sticks ? kStuck : kNone) * step + 1e-12;
+  // A slip whose end nobody looks for must not be driven beyond it.
+  if (task.speculative) patch.slowest = std::numeric_limits<Real>::infinity();
   state.work.patches.push_back(work);
 }
 
