@@ -12,7 +12,7 @@ struct NewExercise {
   std::string
       name;  ///< file name of the function: sat_boxes; of a prediction or of test cases: any
   std::string kind = "implement";  ///< implement, fix, measure, predict, test
-  std::string tests;               ///< kind test: the exercise whose function the cases are about
+  std::string tests = {};          ///< kind test: the exercise whose function the cases are about
 };
 
 /// Writes the files of a new exercise. The function is in the library already (or beside the chapter's programs):
