@@ -52,6 +52,54 @@ PatchPoint centreOf(const ContactPatch& patch, Real& radius) {
   return centre;
 }
 
+// Pressure that is a plane over the points, of which the even one is the first part.
+void preparePlane(const ContactPatch& patch, Real masses, ContactBlock& block) {
+  const Vector3& n = patch.normal;
+  Vector3 mean = Vector3::Zero();
+  for (int i = 0; i < patch.count; ++i) mean += patch.points[i].armB / patch.count;
+  Real farthest = 0;
+  Vector3 x = Vector3::Zero();
+  for (int i = 0; i < patch.count; ++i) {
+    const Vector3 arm = patch.points[i].armB - mean;
+    const Vector3 flat = arm - n.dot(arm) * n;
+    if (flat.norm() <= farthest) continue;
+    farthest = flat.norm();
+    x = flat / farthest;
+  }
+  if (!(farthest > 0)) return;
+  const Vector3 y = cross(n, x);
+  Matrix3 S = Matrix3::Zero();
+  std::array<Vector3, 4> columns;  // what each point does to all planes
+  for (int i = 0; i < patch.count; ++i) {
+    const Vector3 arm = (patch.points[i].armB - mean) / farthest;
+    block.places[i] = {1, x.dot(arm), y.dot(arm)};
+  }
+  for (int i = 0; i < patch.count; ++i) {
+    columns[i] = Vector3::Zero();
+    for (int j = 0; j < patch.count; ++j) {
+      columns[i] += coupling(block.normals[i], block.normals[j], masses) * block.places[j];
+    }
+    S += block.places[i] * columns[i].transpose();
+  }
+  if (!(S(0, 0) > 0)) return;
+  block.evenMass = 1 / S(0, 0);
+  // Points on a line have no breadth, and then nothing tilts about it.
+  constexpr Real kNothing = 1e-9;
+  if (S(2, 2) <= kNothing * S(1, 1)) {
+    S.row(2).setZero();
+    S.col(2).setZero();
+    S(2, 2) = S(1, 1);
+    for (Vector3& place : block.places) place.z() = 0;
+  }
+  const Real det = S.col(0).dot(cross(Vector3(S.col(1)), Vector3(S.col(2))));
+  const PositiveSolve solve(S);
+  if (solve.positive() && det > kNothing * S(0, 0) * S(1, 1) * S(2, 2)) {
+    block.plane = solve.inverse();
+  } else {
+    block.plane(0, 0) = block.evenMass;
+  }
+}
+
 }  // namespace
 
 ContactBlock prepareBlock(const ContactPatch& patch, std::span<const MovingBody> bodies) {
@@ -73,18 +121,7 @@ ContactBlock prepareBlock(const ContactPatch& patch, std::span<const MovingBody>
     block.targets[i] = point.target;
     block.impulses[i] = point.impulse;
   }
-  if (patch.count > 1) {
-    PatchPoint mean;
-    for (int i = 0; i < patch.count; ++i) {
-      mean.armA += patch.points[i].armA / patch.count;
-      mean.armB += patch.points[i].armB / patch.count;
-      mean.drift += patch.points[i].drift / patch.count;
-    }
-    block.together = makeRow(n, cross(mean.armA, n), cross(mean.armB, n), a, b);
-    block.together.drift = n.dot(mean.drift);
-    const Real inverse = coupling(block.together, block.together, masses);
-    block.togetherMass = inverse > 0 ? 1 / inverse : 0;
-  }
+  if (patch.count > 1) preparePlane(patch, masses, block);
   if (!(patch.friction > 0) || !(masses > 0)) return block;
 
   // Friction acts at the centre of pressure.

@@ -5,6 +5,8 @@
 // friction for all of them together: two directions and a turn about the normal, at the centre of
 // pressure. Friction of the whole is at most mu times the sum of the normal impulses, a cone, with
 // the turn counted as the slip of a point at the mean distance from the centre.
+// The points of a patch lie on a plane, and so do their speeds: pressure that is a plane over them
+// stops all at once where no point has to let go. That is solved first.
 // Why one block of friction and not one per point: four cones on four points have a solution too,
 // but many, and a block at its limit is then found only after thousands of sweeps. One block is
 // solved at once, and a body that slides without turning feels the same force.
@@ -93,8 +95,12 @@ struct ContactBlock {
   std::array<Real, 4> masses = {};    ///< effective, zero if nothing can move [kg]
   std::array<Real, 4> targets = {};   ///< least speed of parting [m/s]
   std::array<Real, 4> impulses = {};  ///< along the normal [N s]
-  PushRow together;                   ///< all points at once, each a like part
-  Real togetherMass = 0;            ///< effective; zero for one point, or if nothing can move [kg]
+  /// Where the points are, for pressing all at once: one, and two coordinates about their mean in
+  /// parts of the largest distance [1].
+  std::array<Vector3, 4> places = {};
+  /// Pressure as a plane over these places, that takes away an approach; zero for one point [kg].
+  Matrix3 plane = Matrix3::Zero();
+  Real evenMass = 0;                ///< the same for pressure that is even; zero for one point [kg]
   std::array<PushRow, 3> tangents;  ///< the rows of friction
   Vector3 rub = Vector3::Zero();    ///< impulses of the rows of friction [N s]
   Matrix3 matrix = Matrix3::Identity();  ///< how an impulse changes the slip [1/kg]

@@ -1,6 +1,7 @@
 #include "carom/solver/solve_patches.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -55,6 +56,35 @@ Vector3 wantedRub(const ContactBlock& block, const Vector3& slip, Real pressed) 
   return -limit / block.slipBefore.norm() * block.slipBefore;
 }
 
+// All points at once: what stops them all, or, if that would make one of them pull, an even
+// pressure. What is even stays even: a straight stack is not tilted by the order in which its
+// corners are visited. Returns the largest change of a speed.
+Real pressTogether(ContactBlock& block, MovingBody& a, MovingBody& b) {
+  Vector3 missing = Vector3::Zero();
+  for (int i = 0; i < block.count; ++i) {
+    missing += (block.targets[i] - speedAtEnd(block.normals[i], a, b)) * block.places[i];
+  }
+  const Vector3 plane = block.plane * missing;
+  std::array<Real, 4> added = {};
+  Real least = 0;
+  for (int i = 0; i < block.count; ++i) {
+    added[i] = plane.dot(block.places[i]);
+    least = std::min(least, block.impulses[i] + added[i]);
+  }
+  if (least < 0) {
+    Real even = block.evenMass * missing.x();
+    for (int i = 0; i < block.count; ++i) even = std::max(even, -block.impulses[i]);
+    added.fill(even);
+  }
+  Real change = 0;
+  for (int i = 0; i < block.count; ++i) {
+    block.impulses[i] += added[i];
+    pushAlong(block.normals[i], added[i], a, b);
+    change = std::max(change, std::abs(added[i]) / block.masses[i]);
+  }
+  return change;
+}
+
 // One visit. Returns the largest change of a speed.
 Real visit(ContactBlock& block, MovingBody& a, MovingBody& b) {
   Real change = 0;
@@ -69,20 +99,7 @@ Real visit(ContactBlock& block, MovingBody& a, MovingBody& b) {
     for (int k = 0; k < block.rubs; ++k) pushAlong(block.tangents[k], added[k], a, b);
     change = added.norm() / block.lightest;
   }
-  // First all points together, each a like part: what is even stays even, and a straight stack is
-  // not tilted by the order in which its corners are visited.
-  if (block.togetherMass > 0) {
-    Real target = 0, least = std::numeric_limits<Real>::infinity();
-    for (int i = 0; i < block.count; ++i) {
-      target += block.targets[i] / block.count;
-      least = std::min(least, block.impulses[i]);
-    }
-    const Real missing = target - speedAtEnd(block.together, a, b);
-    const Real share = std::max(-least, block.togetherMass * missing / block.count);
-    for (int i = 0; i < block.count; ++i) block.impulses[i] += share;
-    pushAlong(block.together, block.count * share, a, b);
-    change = std::max(change, std::abs(block.count * share) / block.togetherMass);
-  }
+  if (block.evenMass > 0) change = std::max(change, pressTogether(block, a, b));
   for (int i = 0; i < block.count; ++i) {
     if (block.masses[i] == 0) continue;
     const Real missing = block.targets[i] - speedAtEnd(block.normals[i], a, b);

@@ -177,6 +177,25 @@ Real scaleOf(const WorldState& state, Real duration) {
   return std::max(speed, std::numeric_limits<Real>::min());
 }
 
+// What the contacts do for the bodies if these move by the mean of their velocities [J].
+Real workOf(const WorldState& state) {
+  const Workspace& work = state.work;
+  Real sum = 0;
+  const auto before = [&](int local) {
+    return MovingBody{{}, state.bodies[at(work.members[at(local)])].velocity};
+  };
+  for (const ContactBlock& block : work.blocks) {
+    const MovingBody a = before(block.bodyA), b = before(block.bodyB);
+    const MovingBody &c = work.moving[at(block.bodyA)], &d = work.moving[at(block.bodyB)];
+    const auto add = [&](const PushRow& row, Real impulse) {
+      sum += impulse * (speedAtEnd(row, a, b) + speedAtEnd(row, c, d)) / 2;
+    };
+    for (int i = 0; i < block.count; ++i) add(block.normals[at(i)], block.impulses[at(i)]);
+    for (int k = 0; k < block.rubs; ++k) add(block.tangents[at(k)], block.rub[k]);
+  }
+  return sum;
+}
+
 void storeForces(WorldState& state, Real start, Real duration) {
   Workspace& work = state.work;
   for (std::size_t i = 0; i < work.patches.size(); ++i) {
@@ -218,6 +237,7 @@ bool solvePhase(WorldState& state, const PhaseTask& task) {
   for (std::size_t i = 0; i < task.bodies.size(); ++i) {
     BodySlot& body = state.bodies[at(task.bodies[i])];
     body.isFree = work.flags[i] == 0;
+    body.byEnd = false;
     body.acceleration = freeAcceleration(state, body);
     body.turning = Vector3::Zero();
     if (body.isFree) continue;
@@ -241,10 +261,14 @@ bool solvePhase(WorldState& state, const PhaseTask& task) {
       .least = state.settings.iterations, .rowBudget = state.settings.rowBudget, .speed = scale};
   const Sweeps done = solvePatches(work.moving, work.blocks, limits);
   state.counters.rowsSolved += done.rows;
+  // A point that parts and is held at its end moves on by the mean of both, against the force that
+  // holds it. Where such points are no events this makes energy, and the end alone counts.
+  const bool byEnd = task.speculative && workOf(state) > 0;
 
   for (std::size_t i = 0; i < task.bodies.size(); ++i) {
     BodySlot& body = state.bodies[at(task.bodies[i])];
     if (body.isFree) continue;
+    body.byEnd = byEnd;
     body.atEnd = work.moving[i].velocity;
     body.acceleration = (body.atEnd.linear - body.velocity.linear) / duration;
     body.turning = (body.atEnd.angular - body.velocity.angular) / duration;

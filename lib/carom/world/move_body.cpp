@@ -91,18 +91,17 @@ BodyState bodyAt(WorldState& state, Index index, Real time) {
   if (duration == 0 || body.asleep || body.kind == BodyKind::immovable) return after;
   const Vector3& a = body.acceleration;
   after.velocity.linear = body.velocity.linear + duration * a;
-  const Vector3 mean = state.settings.trapezoidal || body.isFree
-                           ? Vector3(body.velocity.linear + duration / 2 * a)
-                           : after.velocity.linear;
+  const bool byMean = state.settings.trapezoidal && !body.byEnd;
+  const Vector3 mean = byMean || body.isFree ? Vector3(body.velocity.linear + duration / 2 * a)
+                                             : after.velocity.linear;
   after.position = body.position + duration * mean;
   if (body.isFree) {
     turnFreely(state, body, duration, after);
     return after;
   }
   after.velocity.angular = body.velocity.angular + duration * body.turning;
-  const Vector3 turn = state.settings.trapezoidal
-                           ? Vector3(body.velocity.angular + duration / 2 * body.turning)
-                           : after.velocity.angular;
+  const Vector3 turn = byMean ? Vector3(body.velocity.angular + duration / 2 * body.turning)
+                              : after.velocity.angular;
   if (turn != Vector3::Zero()) {
     after.orientation = integrateOrientation(body.orientation, turn, duration);
   }

@@ -50,14 +50,27 @@ void beginPair(WorldState& state, Index index, const IndexPair& shapes) {
   listPair(state, index);
 }
 
-// The forces of the last manifold, for the points that are still there.
-void handOn(const Manifold& old, const std::array<Real, 4>& forces, PairSlot& pair) {
+// The forces of the last manifold, for the points that are still there: they have the same names,
+// or, where faces lie on each other and either may give the names, the same places.
+void handOn(const Manifold& old, const std::array<Real, 4>& forces, Real near, PairSlot& pair) {
   pair.force = {};
+  std::array<bool, 4> taken = {}, found = {};
+  const auto take = [&](int i, int j) {
+    pair.force[at(i)] = forces[at(j)];
+    found[at(i)] = taken[at(j)] = true;
+  };
   for (int i = 0; i < pair.manifold.count; ++i) {
     for (int j = 0; j < old.count; ++j) {
-      if (old.points[at(j)].id == pair.manifold.points[at(i)].id) {
-        pair.force[at(i)] = forces[at(j)];
+      if (!taken[at(j)] && old.points[at(j)].id == pair.manifold.points[at(i)].id) {
+        take(i, j);
+        break;
       }
+    }
+  }
+  for (int i = 0; i < pair.manifold.count; ++i) {
+    for (int j = 0; j < old.count && !found[at(i)]; ++j) {
+      const Vector3 way = pair.manifold.points[at(i)].position - old.points[at(j)].position;
+      if (!taken[at(j)] && way.norm() <= near) take(i, j);
     }
   }
 }
@@ -149,7 +162,7 @@ void makeManifold(WorldState& state, Index index, Real time, Real rest) {
     if (a.data->usesAxes && b.data->usesAxes) ++state.counters.axesSearches;
   }
   pair.madeAt = time;
-  handOn(old, forces, pair);
+  handOn(old, forces, state.settings.contactMargin, pair);
   ++state.counters.manifoldsMade;
   state.counters.contactPoints += pair.manifold.count;
 }

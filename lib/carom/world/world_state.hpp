@@ -74,6 +74,7 @@ struct BodySlot {
   bool asleep = false;                 ///< whether it does
   bool turnsEvenly = true;             ///< three equal moments, or the switch says so
   bool isFree = false;                 ///< nothing touches it in this part of the step
+  bool byEnd = false;                  ///< moves by its velocity at the end of the step
   Index island = kNone;                ///< where it belongs; none: alone, or not dynamic
   Index awakeAt = kNone;               ///< its place in the list of those awake
   Index local = kNone;                 ///< its number while an island is worked on
