@@ -1,7 +1,12 @@
 // Does Carom run the scenes, and as right as it promises?
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
+#include <memory>
+#include <span>
+#include <vector>
 
 #include "scenes/engines.hpp"
 #include "scenes/families.hpp"
@@ -31,6 +36,42 @@ struct Promise {
   const char* figure;
   Real most;
 };
+
+// Motion and height of all bodies [J].
+Real energyOf(const scenes::Scene& scene, std::span<const scenes::State> bodies) {
+  Real energy = scenes::kineticEnergy(scene, bodies);
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    if (!scene.bodies[i].moves) continue;
+    energy -= scene.bodies[i].mass * scene.gravity.dot(bodies[i].position);
+  }
+  return energy;
+}
+
+// What a scene came to at worst.
+struct Worst {
+  Real gained = 0;  // energy above that of the start [J]
+  Real lowest = 0;  // centre of a body that moves [m]
+};
+
+Worst worstOf(const scenes::Scene& scene, int steps) {
+  const std::unique_ptr<scenes::Engine> engine = ourKind().make();
+  engine->build(scene);
+  std::vector<scenes::State> bodies = scenes::startOf(scene);
+  const Real before = energyOf(scene, bodies);
+  Worst worst{0, std::numeric_limits<Real>::infinity()};
+  for (int k = 0; k < steps; ++k) {
+    engine->step(1.0 / 60);
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+      bodies[i] = engine->state(static_cast<int>(i));
+      REQUIRE(bodies[i].position.allFinite());
+      REQUIRE(bodies[i].velocity.allFinite());
+      REQUIRE(bodies[i].angularVelocity.allFinite());
+      if (scene.bodies[i].moves) worst.lowest = std::min(worst.lowest, bodies[i].position.z());
+    }
+    worst.gained = std::max(worst.gained, energyOf(scene, bodies) - before);
+  }
+  return worst;
+}
 
 }  // namespace
 
@@ -91,14 +132,42 @@ TEST_CASE("Carom gives every scene a few steps, ends in numbers, and in the same
   for (const scenes::SceneEntry& entry : scenes::allScenes()) {
     scenes::Scene scene = entry.make();
     INFO(entry.name);
-    // Towers and mass ratios wait for the solver of chapter 9; ten boxes stand with this one.
-    if (scene.tall && scene.bodies.size() != 11) continue;
     // A judge that looks at all pairs of many bodies would take most of the time.
     scene.duration = std::min(scene.duration, scene.bodies.size() > 100 ? 4.0 / 60 : 0.5);
     scene.untimed = 0, scene.lookEvery = scene.duration;
     const scenes::Run once = scenes::runScene(ourKind(), scene, 1.0 / 60);
     CHECK(once.finite);
     CHECK(scenes::runScene(ourKind(), scene, 1.0 / 60).hash == once.hash);
+  }
+}
+
+TEST_CASE("towers, piles and unlike masses make no energy, although sweeps do not settle") {
+  // Half the edge of the boxes of the first three is 0.5 m, and 0.25 m in the pile.
+  struct Load {
+    scenes::Scene scene;
+    Real lowest;
+  };
+  const std::vector<Load> loads{{scenes::stackScene("G20", 20, 0), 0.499},
+                                {scenes::massRatioScene("I", {1, 1000}), 0.499},
+                                {scenes::pyramidScene("H10", 10), 0.499},
+                                {scenes::pileScene(100), 0.249}};
+  for (const Load& load : loads) {
+    INFO(load.scene.title);
+    const Worst worst = worstOf(load.scene, 300);
+    CHECK(worst.gained < 1e-3);  // of kilojoules to megajoules
+    CHECK(worst.lowest > load.lowest);
+  }
+}
+
+TEST_CASE("a steep edge with much friction does not press itself without end") {
+  for (const Real friction : {1.0, 3.0, 10.0}) {
+    scenes::Scene scene = scenes::dominoScene();
+    for (scenes::Body& body : scene.bodies) {
+      if (body.moves) body.friction = friction;
+    }
+    INFO("friction " << friction);
+    // It falls about its edge, by phases of constant force: 5 J, right to a part in 50,000.
+    CHECK(worstOf(scene, 120).gained < 1e-4);
   }
 }
 
