@@ -9,6 +9,7 @@
 #include "runner/debug.hpp"
 #include "runner/develop.hpp"
 #include "runner/pack.hpp"
+#include "runner/reports.hpp"
 #include "runner/skeleton.hpp"
 #include "runner/teach.hpp"
 #include "runner/view.hpp"
@@ -54,38 +55,15 @@ void buildGraders(const Project& project, const std::vector<const Exercise*>& wh
   buildTargets(project, targetsOf(project, which), quiet);
 }
 
-std::string xml(const std::string& text) {
-  std::string out;
-  for (const char c : text) {
-    switch (c) {
-      case '<':
-        out += "&lt;";
-        break;
-      case '>':
-        out += "&gt;";
-        break;
-      case '&':
-        out += "&amp;";
-        break;
-      case '"':
-        out += "&quot;";
-        break;
-      default:
-        // XML has no way to write control characters.
-        out += static_cast<unsigned char>(c) < 0x20 && c != '\n' && c != '\t' ? '?' : c;
-    }
-  }
-  return out;
-}
-
 void writeJunit(const fs::path& file, const std::vector<ExerciseResult>& results) {
   std::string text = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n";
   for (const auto& r : results) {
-    text += "<testsuite name=\"" + xml(r.exercise->id) + "\" tests=\"" +
+    text += "<testsuite name=\"" + markupEscaped(r.exercise->id) + "\" tests=\"" +
             std::to_string(r.checks.size()) + "\" failures=\"" +
             std::to_string(r.checks.size() - static_cast<std::size_t>(r.passed())) + "\">\n";
     for (const auto& c : r.checks) {
-      text += "  <testcase classname=\"" + xml(r.exercise->id) + "\" name=\"" + xml(c.title) + "\"";
+      text += "  <testcase classname=\"" + markupEscaped(r.exercise->id) + "\" name=\"" +
+              markupEscaped(c.title) + "\"";
       if (c.status == Status::passed) {
         text += "/>\n";
       } else {
@@ -93,8 +71,8 @@ void writeJunit(const fs::path& file, const std::vector<ExerciseResult>& results
                                     ? "got " + c.failure.value("got", "") + ", expected " +
                                           c.failure.value("expected", "")
                                     : c.reason;
-        text += "><failure message=\"" + xml(nameOf(c.status)) + "\">" + xml(got) +
-                "</failure></testcase>\n";
+        text += "><failure message=\"" + markupEscaped(nameOf(c.status)) + "\">" +
+                markupEscaped(got) + "</failure></testcase>\n";
       }
     }
     text += "</testsuite>\n";
