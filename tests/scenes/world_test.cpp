@@ -107,6 +107,8 @@ TEST_CASE("Carom keeps what it promises for scenes with an answer") {
                                       {"I5_cradle1", "position [m]", 1e-9},
                                       {"I5_cradle2", "velocity [m/s]", 1e-9},
                                       {"I8_below", "way [m]", 1e-9},
+                                      {"I19_corner", "velocity [m/s]", 1e-8},
+                                      {"I19_corner", "spin [rad/s]", 1e-8},
                                       {"I15_masse", "position [m]", 1e-9},
                                       {"T13_break31", "velocity [m/s]", 1e-12},
                                       {"T13_break314", "velocity [m/s]", 1e-12}};

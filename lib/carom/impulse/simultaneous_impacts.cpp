@@ -9,6 +9,7 @@
 
 #include "carom/core/checks.hpp"
 #include "carom/core/cross.hpp"
+#include "carom/impulse/bounded_impact.hpp"
 #include "carom/impulse/change_velocities.hpp"
 #include "carom/impulse/linear_complementarity.hpp"
 #include "carom/impulse/passive_impact.hpp"
@@ -30,8 +31,8 @@ bool movable(const MovingBody& body) {
 // The bodies and contacts of one call.
 class Scene {
  public:
-  Scene(std::span<MovingBody> bodies, std::span<const BodyContact> contacts)
-      : bodies_(bodies), contacts_(contacts), group_(bodies.size()) {}
+  Scene(std::span<MovingBody> bodies, std::span<const BodyContact> contacts, bool stopsSlip)
+      : bodies_(bodies), contacts_(contacts), group_(bodies.size()), stopsSlip_(stopsSlip) {}
 
   int count() const {
     return static_cast<int>(contacts_.size());
@@ -96,10 +97,42 @@ class Scene {
   // A contact that is alone, with friction.
   Real hit(int i) {
     const BodyContact& c = contact(i);
-    const Vector3 impulse =
-        passiveImpact(bodies_[at(c.bodyA)], bodies_[at(c.bodyB)], c.contact, c.law).impulse;
-    push(i, impulse);
-    return impulse.dot(c.contact.normal);
+    return strike(bodies_[at(c.bodyA)], bodies_[at(c.bodyB)], c.contact, c.law)
+        .dot(c.contact.normal);
+  }
+
+  // Whether contacts are points of one area: of the same two bodies, along one normal.
+  bool isArea(const Numbers& group) const {
+    const BodyContact& first = contact(group[0]);
+    return std::all_of(group.begin(), group.end(), [&](int i) {
+      const BodyContact& c = contact(i);
+      return c.bodyA == first.bodyA && c.bodyB == first.bodyB &&
+             c.contact.normal == first.contact.normal && c.law.friction == first.law.friction;
+    });
+  }
+
+  // Contacts of one area, with friction: as one contact at the centre of their pressure, which is
+  // the same along the normal. What is left of the cone brakes the turning about it.
+  void hitArea(const Numbers& group, const std::vector<Real>& stopping, Real restitution,
+               std::vector<Real>& sums) {
+    Real pressed = 0;
+    for (const Real z : stopping) pressed += z;
+    if (!(pressed > 0)) return;
+    const BodyContact& first = contact(group[0]);
+    Contact centre{first.contact.normal, Vector3::Zero(), Vector3::Zero()};
+    for (std::size_t i = 0; i < group.size(); ++i) {
+      centre.armA += stopping[i] / pressed * contact(group[i]).contact.armA;
+      centre.armB += stopping[i] / pressed * contact(group[i]).contact.armB;
+    }
+    MovingBody &a = bodies_[at(first.bodyA)], &b = bodies_[at(first.bodyB)];
+    const Vector3 impulse = strike(a, b, centre, {restitution, first.law.friction, 0});
+    const Real along = impulse.dot(centre.normal);
+    const Real across = (impulse - along * centre.normal).norm();
+    for (std::size_t i = 0; i < group.size(); ++i) {
+      const Real share = stopping[i] / pressed;
+      sums[at(group[i])] += share * along;
+      rub(group[i], share * std::max(Real(0), along - across / first.law.friction));
+    }
   }
 
   // Sorts contacts into groups that are joined by bodies which can move.
@@ -124,6 +157,14 @@ class Scene {
   }
 
  private:
+  // One contact with friction. Returns its impulse on B.
+  Vector3 strike(MovingBody& a, MovingBody& b, const Contact& contact, const ImpactLaw& law) const {
+    const Impact impact =
+        stopsSlip_ ? boundedImpact(a, b, contact, law) : passiveImpact(a, b, contact, law);
+    changeVelocities(a, b, contact, impact.impulse);
+    return impact.impulse;
+  }
+
   // n_p . K n_q, of the part of K that goes through one body.
   Real through(int body, const Vector3& armP, const BodyContact& p, const Vector3& armQ,
                const BodyContact& q) const {
@@ -143,6 +184,7 @@ class Scene {
   std::span<MovingBody> bodies_;
   std::span<const BodyContact> contacts_;
   Numbers group_;
+  bool stopsSlip_;
 };
 
 // Speeds nearer to each other than this share count as equal: blows that mirror each other must
@@ -255,6 +297,10 @@ void reflect(Scene& scene, const Numbers& group, bool plastic, std::vector<Real>
   for (std::size_t i = 0; i < group.size(); ++i) {
     if (z[i] > 0) e = std::min(e, scene.contact(group[i]).law.restitution);
   }
+  if (!plastic && scene.contact(group[0]).law.friction > 0 && scene.isArea(group)) {
+    scene.hitArea(group, z, e, sums);
+    return;
+  }
   for (std::size_t i = 0; i < group.size(); ++i) {
     const Real size = (1 + e) * z[i];
     if (size == 0) continue;
@@ -271,7 +317,7 @@ SimultaneousImpacts simultaneousImpacts(std::span<MovingBody> bodies,
                                         std::span<const BodyContact> contacts,
                                         const ImpactRounds& limits) {
   check(bodies, contacts);
-  Scene scene(bodies, contacts);
+  Scene scene(bodies, contacts, limits.stopsSlip);
   SimultaneousImpacts result;
   result.normalImpulses.assign(contacts.size(), 0);
 

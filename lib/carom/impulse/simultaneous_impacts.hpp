@@ -15,9 +15,10 @@
 // that come into the cradle from both sides, at any speeds, then change places as they should.
 // Why energy never grows: in a round whose contacts share one e, it changes by
 // -(1 - e^2)/2 z . W z. Contacts of different e that are joined by a body take the smallest.
-// Friction: a contact that is alone in its round follows passive_impact.hpp. In a larger group each
-// contact has its normal impulse first and then friction up to mu times it; what that disturbs is
-// the next round's.
+// Friction: a contact that is alone in its round follows passive_impact.hpp, and so do several
+// points of one area, at the centre of their pressure: an edge that hits and sticks. In other
+// groups each contact has its normal impulse first and then friction up to mu times it; what that
+// disturbs is the next round's.
 // Limits: with e < 1 balls can hit each other without end in a finite time. What approaches slower
 // than rounding, or is left after maxRounds, gets one last plastic round with all contacts; then
 // nothing approaches any more, and the status says so.
@@ -61,6 +62,8 @@ struct ImpactRounds {
   /// A cradle of n balls needs about n rounds; balls of e < 1 take as many as their energy has
   /// digits. More cost time, fewer make what is left plastic.
   int maxRounds = 1000;
+  /// Contacts that are alone follow bounded_impact.hpp: one that sticks stops its slip altogether.
+  bool stopsSlip = false;
 };
 
 /// Lets all contacts of many bodies act at once.

@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "carom/impulse/bounded_impact.hpp"
 #include "carom/impulse/change_velocities.hpp"
-#include "carom/impulse/passive_impact.hpp"
+#include "carom/impulse/simultaneous_impacts.hpp"
 #include "carom/solver/solve_patches.hpp"
 #include "carom/world/contact_phase.hpp"
 #include "carom/world/move_body.hpp"
@@ -85,7 +86,7 @@ void bounceAll(WorldState& state, std::span<const Index> pairs, Real time) {
     const BodyContact& one = work.contacts[0];
     MovingBody &a = work.moving[at(one.bodyA)], &b = work.moving[at(one.bodyB)];
     const Real approach = -relativeVelocity(a, b, one.contact).dot(one.contact.normal);
-    const Vector3 impulse = passiveImpact(a, b, one.contact, one.law).impulse;
+    const Vector3 impulse = boundedImpact(a, b, one.contact, one.law).impulse;
     changeVelocities(a, b, one.contact, impulse);
     reportAt(0, approach, impulse.dot(one.contact.normal));
     return;
@@ -96,7 +97,8 @@ void bounceAll(WorldState& state, std::span<const Index> pairs, Real time) {
     approach[i] = -relativeVelocity(work.moving[at(c.bodyA)], work.moving[at(c.bodyB)], c.contact)
                        .dot(c.contact.normal);
   }
-  const SimultaneousImpacts done = simultaneousImpacts(work.moving, work.contacts);
+  const SimultaneousImpacts done =
+      simultaneousImpacts(work.moving, work.contacts, {.stopsSlip = true});
   for (std::size_t i = 0; i < work.contacts.size(); ++i) {
     if (done.normalImpulses[i] > 0) reportAt(i, approach[i], done.normalImpulses[i]);
   }

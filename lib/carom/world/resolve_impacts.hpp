@@ -2,9 +2,11 @@
 // What happens at the moment when bodies have met?
 //
 // Method: all closed points of the set act together. Where nothing bounces, the solver takes away
-// the approach of all of them, with friction, as it would over a step of no length. One point alone
-// follows the law of chapter 5 that never makes energy (passive_impact.hpp). Several that bounce go
-// through rounds, so that a blow travels through a chain (simultaneous_impacts.hpp).
+// the approach of all of them, with friction, as it would over a step of no length. What bounces
+// goes through rounds, so that a blow travels through a chain (simultaneous_impacts.hpp); the
+// points of one pair are one contact there, at the centre of their pressure. A contact alone
+// follows Newton's and Coulomb's laws where these make no energy, else one that never does
+// (bounded_impact.hpp).
 // A bounce that would be over within the shortest time of the settings is none: the contact is then
 // a resting one, and a ball that bounces lower and lower comes to rest in finite time.
 // Source: chapter 5.
