@@ -90,7 +90,7 @@ void moveBoxes(WorldState& state, Index index, Real dt) {
   for (const Index shapeIndex : body.shapes) {
     ShapeSlot& shape = state.shapes[at(shapeIndex)];
     const bool turnsInPlace = shape.centred && shape.data->isBall;
-    const Real way = wayOf(state, body, dt, turnsInPlace);
+    const Real way = std::max(wayOf(state, body, dt, turnsInPlace), body.struck);
     const Vector3 room =
         Vector3::Constant(way + state.settings.touchTolerance + state.settings.restTolerance);
     shape.swept = boundsOf(shape.data->whole, poseOfShape(body, shape));
@@ -120,14 +120,58 @@ ContactEvent eventOf(const WorldState& state, const PairSlot& pair) {
           idOfBody(state, pair.bodyB)};
 }
 
-void updatePairs(WorldState& state, Real dt) {
-  for (const Index body : state.awakeBodies) moveBoxes(state, body, dt);
+namespace {
+
+void findPairs(WorldState& state) {
   const std::int64_t before = state.broadPhase.counters().tested;
   state.broadPhase.update([&](Index a, Index b) { return mayMeet(state, a, b); });
   state.counters.pairsTested += state.broadPhase.counters().tested - before;
   for (const BroadPhase::Event& event : state.broadPhase.ended()) endPair(state, event.slot);
   for (const BroadPhase::Event& event : state.broadPhase.begun()) {
     beginPair(state, event.slot, event.pair);
+  }
+}
+
+// Gives a body the room that it needs if another strikes it. Returns whether it had less.
+bool makeRoom(WorldState& state, const PairSlot& pair, Index striking, Index struck, Real dt) {
+  const BodySlot& fast = state.bodies[at(striking)];
+  BodySlot& slow = state.bodies[at(struck)];
+  if (!isDynamic(slow) || slow.asleep || fast.kind == BodyKind::immovable) return false;
+  // As fast as a blow in the middle makes what stood; and no farther than a few neighbours.
+  const Real parts = isDynamic(fast) ? fast.weight / (fast.weight + slow.weight) : 1;
+  const Real blow =
+      (1 + pair.restitution) * parts * std::max(fast.velocity.linear.norm() * dt, fast.struck);
+  const Real thrown = std::min(blow, 2 * slow.reach);
+  const Real room = std::max(slow.velocity.linear.norm() * dt, slow.struck);
+  if (thrown <= room + state.settings.contactMargin) return false;
+  slow.struck = thrown;
+  moveBoxes(state, struck, dt);
+  return true;
+}
+
+}  // namespace
+
+void updatePairs(WorldState& state, Real dt) {
+  for (const Index body : state.awakeBodies) {
+    state.bodies[at(body)].struck = 0;
+    moveBoxes(state, body, dt);
+  }
+  findPairs(state);
+  if (!state.settings.locateEvents) return;
+  // What is struck may meet others that it would not have come near by itself; and these, others.
+  constexpr int kMost = 8;
+  for (int round = 0; round < kMost; ++round) {
+    bool more = false;
+    for (const Index index : state.awakePairs) {
+      const PairSlot& pair = state.pairs[at(index)];
+      if (!meets(state.shapes[at(pair.shapeA)].swept, state.shapes[at(pair.shapeB)].swept)) {
+        continue;
+      }
+      more = makeRoom(state, pair, pair.bodyA, pair.bodyB, dt) || more;
+      more = makeRoom(state, pair, pair.bodyB, pair.bodyA, dt) || more;
+    }
+    if (!more) break;
+    findPairs(state);
   }
 }
 
@@ -186,6 +230,8 @@ void updateManifolds(WorldState& state, Real dt) {
     const Index index = state.awakePairs[i];
     PairSlot& pair = state.pairs[at(index)];
     ++state.counters.pairsAwake;
+    // The broad phase has nothing to compare if everything is near everything.
+    if (state.settings.pairFinding == PairFinding::allPairs) ++state.counters.pairsTested;
     pair.madeAt = -1;
     const ShapeSlot &a = state.shapes[at(pair.shapeA)], &b = state.shapes[at(pair.shapeB)];
     if (meets(a.swept, b.swept)) {

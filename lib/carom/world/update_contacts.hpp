@@ -3,10 +3,11 @@
 //
 // Method: each awake body says which boxes its shapes can be in during the step: where they are,
 // with room on all sides for the way that they can go. On all sides, and not ahead only, because an
-// impact can turn the way round. The broad phase answers with pairs that began and ended. A pair
-// whose boxes meet gets a manifold that reaches as far as the two can come nearer in the step; it
-// holds its bodies together as an island, and wakes a body that slept.
-// The forces of the last step are handed on to the points that have the same names.
+// impact can turn the way round. What may be struck by something faster gets the room of that, up
+// to a few neighbours, lest it meets a third body unseen. The broad phase answers with pairs that
+// began and ended. A pair whose boxes meet gets a manifold that reaches as far as the two can come
+// nearer in the step; it holds its bodies together as an island, and wakes a body that slept.
+// The forces of the last step are handed on to the points that have the same names or places.
 // Why no manifold for boxes that do not meet: no point can touch in this step.
 // Not handled: what the manifolds are for (contact_phase.hpp).
 

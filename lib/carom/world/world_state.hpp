@@ -67,33 +67,34 @@ struct RotorAnchor {
 /// A body's place in a world. Inside a body stands at its centre of mass, and along its principal
 /// axes unless its inertia is that of a ball. \ingroup world
 struct BodySlot {
-  std::uint32_t generation = 0;        ///< of its ids
-  bool alive = false;                  ///< whether the place is taken
-  BodyKind kind = BodyKind::dynamic;   ///< what may move it
-  bool maySleep = true;                ///< whether its island may
-  bool asleep = false;                 ///< whether it does
-  bool turnsEvenly = true;             ///< three equal moments, or the switch says so
-  bool isFree = false;                 ///< nothing touches it in this part of the step
-  bool byEnd = false;                  ///< moves by its velocity at the end of the step
-  Index island = kNone;                ///< where it belongs; none: alone, or not dynamic
-  Index awakeAt = kNone;               ///< its place in the list of those awake
-  Index local = kNone;                 ///< its number while an island is worked on
-  Index cluster = kNone;               ///< smallest body that it touches in this part of the step
-  Vector3 position = Vector3::Zero();  ///< centre of mass [m, world]
-  Quaternion orientation;              ///< inner frame to world
-  Velocity velocity;                   ///< [world]
-  Pose pose;                           ///< the same as position and orientation
-  BodyMass mass;                       ///< inverse mass and inertia [world]
-  Real weight = 0;                     ///< its mass; zero unless dynamic [kg]
-  Vector3 moments = Vector3::Zero();   ///< principal moments [kg m^2]
-  Vector3 force = Vector3::Zero();     ///< beside gravity [N, world]
-  Vector3 torque = Vector3::Zero();    ///< [N m, world]
-  Vector3 centre = Vector3::Zero();    ///< centre of mass [m, the user's frame]
-  Quaternion turned;                   ///< inner frame to the user's frame
-  Real reach = 0;                      ///< no point is farther from the centre [m]
-  std::vector<Index> shapes;           ///< its shapes
-  std::optional<std::size_t> anchor;   ///< of its free rotation, in WorldState::anchors
-  Real clock = 0;                      ///< time in this step at which the state above holds [s]
+  std::uint32_t generation = 0;       ///< of its ids
+  bool alive = false;                 ///< whether the place is taken
+  BodyKind kind = BodyKind::dynamic;  ///< what may move it
+  bool maySleep = true;               ///< whether its island may
+  bool asleep = false;                ///< whether it does
+  bool turnsEvenly = true;            ///< three equal moments, or the switch says so
+  bool isFree = false;                ///< nothing touches it in this part of the step
+  Real struck = 0;        ///< how far it may be thrown in this step by what strikes it [m]
+  bool byEnd = false;     ///< moves by its velocity at the end of the step
+  Index island = kNone;   ///< where it belongs; none: alone, or not dynamic
+  Index awakeAt = kNone;  ///< its place in the list of those awake
+  Index local = kNone;    ///< its number while an island is worked on
+  Index cluster = kNone;  ///< smallest body that it touches in this part of the step
+  Vector3 position = Vector3::Zero();      ///< centre of mass [m, world]
+  Quaternion orientation;                  ///< inner frame to world
+  Velocity velocity;                       ///< [world]
+  Pose pose;                               ///< the same as position and orientation
+  BodyMass mass;                           ///< inverse mass and inertia [world]
+  Real weight = 0;                         ///< its mass; zero unless dynamic [kg]
+  Vector3 moments = Vector3::Zero();       ///< principal moments [kg m^2]
+  Vector3 force = Vector3::Zero();         ///< beside gravity [N, world]
+  Vector3 torque = Vector3::Zero();        ///< [N m, world]
+  Vector3 centre = Vector3::Zero();        ///< centre of mass [m, the user's frame]
+  Quaternion turned;                       ///< inner frame to the user's frame
+  Real reach = 0;                          ///< no point is farther from the centre [m]
+  std::vector<Index> shapes;               ///< its shapes
+  std::optional<std::size_t> anchor;       ///< of its free rotation, in WorldState::anchors
+  Real clock = 0;                          ///< time in this step at which the state above holds [s]
   Vector3 acceleration = Vector3::Zero();  ///< from then on [m/s^2, world]
   Vector3 turning = Vector3::Zero();       ///< from then on [rad/s^2, world]
   Velocity atEnd;                          ///< velocity at the end of the step, if nothing happens

@@ -108,6 +108,41 @@ TEST_CASE("Newton's cradle: one ball in, one ball out") {
   }
 }
 
+TEST_CASE("a blow goes on within the step, to balls that the one struck would not have come near") {
+  World world(weightless());
+  std::vector<BodyId> balls;
+  for (int i = 0; i < 5; ++i) {
+    balls.push_back(addBall(world, 0.1,
+                            {.position = {0.22 * i - (i == 0 ? 0.05 : 0), 0, 0},
+                             .velocity = {i == 0 ? 12.0 : 0.0, 0, 0},
+                             .restitution = 1}));
+  }
+  // The blow needs (0.05 + 4 0.02) / 12 s to come through, and the last ball goes on alone.
+  world.step(kStep);
+  for (int i = 0; i < 5; ++i) {
+    CHECK_THAT(world.velocity(balls[static_cast<std::size_t>(i)]).x(),
+               WithinAbs(i == 4 ? 12 : 0, 1e-12));
+  }
+  CHECK_THAT(world.position(balls[4]).x(), WithinAbs(0.88 + 12 * kStep - 0.13, 1e-12));
+}
+
+TEST_CASE("216 balls that bounce without loss keep their energy through every blow (case S3)") {
+  World world(awake());
+  addPlane(world, 0, 1);
+  Random random(42);
+  for (int i = 0; i < 216; ++i) {
+    const Vector3 place(i / 36, i / 6 % 6, i % 6);
+    const Vector3 off = random.vector(0.001);
+    addBall(world, 0.1,
+            {.mass = 10, .position = 0.21 * place + off + Vector3(0, 0, 1.11), .restitution = 1});
+  }
+  const Real before = world.energy();
+  for (int k = 0; k < 300; ++k) {
+    world.step(kStep);
+    REQUIRE_THAT(world.energy(), WithinRel(before, 1e-13));
+  }
+}
+
 TEST_CASE("a block on a slope holds or slides, however near the critical angle is") {
   const Real friction = std::tan(0.4);
   for (const Real beyond : {-1e-6, 1e-6, 1e-2}) {
