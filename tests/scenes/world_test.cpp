@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <map>
 #include <memory>
@@ -170,6 +171,26 @@ TEST_CASE("a steep edge with much friction does not press itself without end") {
     INFO("friction " << friction);
     // It falls about its edge, by phases of constant force: 5 J, right to a part in 50,000.
     CHECK(worstOf(scene, 120).gained < 1e-4);
+  }
+}
+
+TEST_CASE("every compiler comes to the same last bit after a second") {
+  struct Known {
+    scenes::Scene scene;
+    std::uint64_t hash;
+  };
+  std::vector<Known> all{{scenes::bounceScene(), 0x954C8508D1F0848C},
+                         {scenes::masseScene(), 0x14A3B76A3D5EE6DB},
+                         {scenes::gasScene(), 0xC5B5CF2433625F11},
+                         {scenes::cornerScene(), 0xCFFDD0C03D478DC7},
+                         {scenes::rockingScene(), 0x5B2C96AD94D16737},
+                         {scenes::stackScene("G10", 10, 0), 0xDF2BD52F1B982B34},
+                         {scenes::pileScene(100), 0x18342F7C773B8B1A},
+                         {scenes::balls216Scene("S3", true), 0xFA8706988312941B}};
+  for (Known& known : all) {
+    known.scene.duration = 1, known.scene.lookEvery = 1, known.scene.sleeps = false;
+    INFO(known.scene.name);
+    CHECK(scenes::runScene(ourKind(), known.scene, 1.0 / 60).hash == known.hash);
   }
 }
 
