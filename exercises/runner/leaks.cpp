@@ -178,7 +178,7 @@ std::vector<Leak> SecretLines::leaksIn(const std::string& path, std::string_view
     lineOf.push_back(number);
   }
   std::set<std::size_t> seen;
-  search(text, [&](std::size_t s, std::size_t at) {
+  search(text, [&, &own = own](std::size_t s, std::size_t at) {
     const auto& secret = lines_[s];
     if (at >= beforeHint && secret.exercise == own) return;
     if (allowed_.count({path, secret.text}) || !seen.insert(s).second) return;
