@@ -1,37 +1,12 @@
 // Does a step take memory?
 
-#include <cstdlib>
-#include <new>
-
 #include "boxes.hpp"
 #include "carom/broadphase/broad_phase.hpp"
 #include "support/catch.hpp"
+#include "support/counted_memory.hpp"
 
 using namespace carom;
 using namespace carom_test;
-
-namespace {
-
-std::size_t allocations = 0;
-
-}  // namespace
-
-// Counts who asks for memory. Not inlined: g++ 12 would take them for a mismatched pair.
-[[gnu::noinline]] void* operator new(std::size_t size) {
-  ++allocations;
-  if (void* memory = std::malloc(size)) return memory;
-  throw std::bad_alloc();
-}
-[[gnu::noinline]] void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
-  ++allocations;
-  return std::malloc(size);
-}
-[[gnu::noinline]] void operator delete(void* memory) noexcept {
-  std::free(memory);
-}
-[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept {
-  std::free(memory);
-}
 
 TEST_CASE("a motion that has been seen before takes no memory") {
   const PairSearch search = GENERATE(PairSearch::trees, PairSearch::sweep, PairSearch::grid);

@@ -6,9 +6,7 @@
 #include <array>
 #include <bit>
 #include <cmath>
-#include <cstdlib>
 #include <limits>
-#include <new>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -21,30 +19,11 @@
 #include "carom/motion/semi_implicit_euler.hpp"
 #include "carom/motion/velocity_verlet.hpp"
 #include "support/catch.hpp"
+#include "support/counted_memory.hpp"
 
 using namespace carom;
+using carom_test::allocations;
 using carom_test::ContainsSubstring;
-
-namespace {
-std::size_t allocations = 0;  // of this program so far
-}
-
-// Counts who asks for memory. Not inlined: g++ 12 would take them for a mismatched pair.
-[[gnu::noinline]] void* operator new(std::size_t size) {
-  ++allocations;
-  if (void* memory = std::malloc(size)) return memory;
-  throw std::bad_alloc();
-}
-[[gnu::noinline]] void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
-  ++allocations;
-  return std::malloc(size);
-}
-[[gnu::noinline]] void operator delete(void* memory) noexcept {
-  std::free(memory);
-}
-[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept {
-  std::free(memory);
-}
 
 namespace {
 
