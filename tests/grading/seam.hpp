@@ -8,6 +8,8 @@
 //                     answer (zero, one, or an echo of an argument), for the trusted grader;
 //   CAROM_SEAM_CHILD  registers the submission's function with the program that answers the pipe.
 //
+// CAROM_SEAM_IN(carom::world, bool, maySleep, ...) is the same for a function in a namespace of its own.
+//
 // Arguments may be values, const references, spans, mutable references (sent there and back) and
 // std::function (called back through the pipe).
 
@@ -309,21 +311,23 @@ R lazyAnswer(const P&... p) {
 
 #define CAROM_UNPAREN(...) __VA_ARGS__
 #if defined(CAROM_SEAM_PROXY)
-#define CAROM_SEAM(result, name, parameters, arguments)                           \
-  namespace carom {                                                               \
-  result name parameters {                                                        \
-    if (grading::lazyMode())                                                      \
-      return grading::lazyAnswer<result>(CAROM_UNPAREN arguments);                \
-    return grading::Call<result parameters>::remote(#name, grading::submission(), \
-                                                    CAROM_UNPAREN arguments);     \
-  }                                                                               \
+#define CAROM_SEAM_IN(scope, result, name, parameters, arguments)                         \
+  namespace scope {                                                                       \
+  result name parameters {                                                                \
+    if (grading::lazyMode()) return grading::lazyAnswer<result>(CAROM_UNPAREN arguments); \
+    return grading::Call<result parameters>::remote(#name, grading::submission(),         \
+                                                    CAROM_UNPAREN arguments);             \
+  }                                                                                       \
   }
 #elif defined(CAROM_SEAM_CHILD)
-#define CAROM_SEAM(result, name, parameters, arguments)                                       \
+#define CAROM_SEAM_IN(scope, result, name, parameters, arguments)                             \
   namespace carom::grading {                                                                  \
   static const Registration registered_##name(#name, [](Reader& r, Channel& channel) {        \
-    return Call<result parameters>::serve(static_cast<result(*) parameters>(&carom::name), r, \
+    return Call<result parameters>::serve(static_cast<result(*) parameters>(&scope::name), r, \
                                           channel);                                           \
   });                                                                                         \
   }
 #endif
+// Most functions stand in carom itself. Types in the parameters are named from carom in either case: world::RestWatch.
+#define CAROM_SEAM(result, name, parameters, arguments) \
+  CAROM_SEAM_IN(carom, result, name, parameters, arguments)

@@ -1,7 +1,7 @@
 #include "carom/world/find_islands.hpp"
 
 #include "grading/fields_broadphase.hpp"
-#include "grading/seam_in.hpp"
+#include "grading/seam.hpp"
 
 CAROM_SEAM_IN(carom::world, void, findIslands,
               (std::span<const IndexPair> contacts, std::span<const std::uint8_t> movable,

@@ -1,7 +1,7 @@
 #include "carom/world/wake.hpp"
 
 #include "grading/fields_broadphase.hpp"
-#include "grading/seam_in.hpp"
+#include "grading/seam.hpp"
 
 CAROM_SEAM_IN(carom::world, void, wake,
               (std::int32_t first, std::span<const IndexPair> contacts,
