@@ -103,14 +103,22 @@ void gather(WorldState& state, std::span<const Index> bodies, std::span<const In
   }
 }
 
-ContactPatch patchOf(const WorldState& state, const PairSlot& pair) {
-  ContactPatch patch;
+WorkPatch patchOf(const WorldState& state, Index index) {
+  const PairSlot& pair = state.pairs[at(index)];
+  WorkPatch work;
+  work.pair = index;
+  ContactPatch& patch = work.patch;
   patch.bodyA = state.bodies[at(pair.bodyA)].local;
   patch.bodyB = state.bodies[at(pair.bodyB)].local;
   patch.normal = pair.manifold.normal;
   patch.friction = pair.friction;
   patch.count = 0;
-  return patch;
+  return work;
+}
+
+void addPoint(WorkPatch& work, int pointOfManifold, const PatchPoint& point) {
+  work.pointOf[at(work.patch.count)] = pointOfManifold;
+  work.patch.points[at(work.patch.count++)] = point;
 }
 
 namespace {
@@ -119,9 +127,7 @@ namespace {
 void addPatch(WorldState& state, const PhaseTask& task, Index index) {
   const PairSlot& pair = state.pairs[at(index)];
   const Real duration = task.end - task.start;
-  WorkPatch work;
-  work.pair = index;
-  work.patch = patchOf(state, pair);
+  WorkPatch work = patchOf(state, index);
   ContactPatch& patch = work.patch;
   const Real slow = slowSpeed(state);
   for (int i = 0; i < pair.manifold.count; ++i) {
@@ -133,8 +139,7 @@ void addPatch(WorldState& state, const PhaseTask& task, Index index) {
     if (state.settings.trapezoidal) moveArms(state, pair, made.id, duration, point);
     if (task.speculative && made.separation > 0) point.target = -made.separation / duration;
     if (state.settings.warmStarting) point.impulse = pair.force[at(i)] * duration;
-    work.pointOf[at(patch.count)] = i;
-    patch.points[at(patch.count++)] = point;
+    addPoint(work, i, point);
   }
   if (patch.count == 0) return;
   if (state.settings.warmStarting) {

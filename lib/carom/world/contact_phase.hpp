@@ -52,8 +52,12 @@ Real slowSpeed(const WorldState& state);
 Real partingSpeed(const WorldState& state, const PairSlot& pair, int point);
 
 /// A pair as the solver wants it, at the start of the time. \param state of the world, gathered
-/// \param pair which \return patch without points \ingroup world
-ContactPatch patchOf(const WorldState& state, const PairSlot& pair);
+/// \param pair its index \return patch without points \ingroup world
+WorkPatch patchOf(const WorldState& state, Index pair);
+
+/// Takes a point of the manifold into a patch. \param work patch of its pair, with room
+/// \param pointOfManifold its number there \param point as the solver wants it \ingroup world
+void addPoint(WorkPatch& work, int pointOfManifold, const PatchPoint& point);
 
 /// The arms of a point of a manifold. \param state of the world \param pair which
 /// \param point its number \return point with both arms \ingroup world

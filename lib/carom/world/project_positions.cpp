@@ -55,9 +55,7 @@ void projectPositions(WorldState& state, std::span<const Index> bodies,
   work.blocks.clear();
   for (const Index index : pairs) {
     const PairSlot& pair = state.pairs[at(index)];
-    WorkPatch one;
-    one.pair = index;
-    one.patch = patchOf(state, pair);
+    WorkPatch one = patchOf(state, index);
     one.patch.friction = 0;
     for (int i = 0; i < pair.manifold.count; ++i) {
       // Points that are apart must not be pushed into each other.
@@ -65,8 +63,7 @@ void projectPositions(WorldState& state, std::span<const Index> bodies,
       const Real separation = pair.manifold.points[at(i)].separation;
       const bool closed = separation <= 0 || wantedWay(state, pair, i) != 0;
       point.target = closed ? wantedWay(state, pair, i) : -separation;
-      one.pointOf[at(one.patch.count)] = i;
-      one.patch.points[at(one.patch.count++)] = point;
+      addPoint(one, i, point);
     }
     if (one.patch.count == 0) continue;
     work.patches.push_back(one);

@@ -141,21 +141,23 @@ void reportSolved(WorldState& state, Real time) {
   }
 }
 
+// A patch of a pair for an impact, without points yet.
+WorkPatch impactPatch(const WorldState& state, Index index) {
+  WorkPatch one = patchOf(state, index);
+  // Friction in an impact is what it takes to stick, within the cone, however fast the slip is.
+  one.patch.slowest = std::numeric_limits<Real>::infinity();
+  return one;
+}
+
 void stopAll(WorldState& state, std::span<const Index> pairs, Real time, Real fastest) {
   Workspace& work = state.work;
   work.patches.clear();
   for (const Index index : pairs) {
     const PairSlot& pair = state.pairs[at(index)];
-    WorkPatch one;
-    one.pair = index;
-    one.patch = patchOf(state, pair);
+    WorkPatch one = impactPatch(state, index);
     for (int i = 0; i < pair.manifold.count; ++i) {
-      if (!isClosed(state, pair, i)) continue;
-      one.pointOf[at(one.patch.count)] = i;
-      one.patch.points[at(one.patch.count++)] = armsOf(state, pair, i);
+      if (isClosed(state, pair, i)) addPoint(one, i, armsOf(state, pair, i));
     }
-    // Friction in an impact is what it takes to stick, within the cone, however fast the slip is.
-    one.patch.slowest = std::numeric_limits<Real>::infinity();
     if (one.patch.count > 0) work.patches.push_back(one);
   }
   solveNow(state, fastest);
@@ -188,9 +190,7 @@ void resolveAtOnce(WorldState& state, std::span<const Index> bodies, std::span<c
   work.patches.clear();
   for (const Index index : pairs) {
     const PairSlot& pair = state.pairs[at(index)];
-    WorkPatch one;
-    one.pair = index;
-    one.patch = patchOf(state, pair);
+    WorkPatch one = impactPatch(state, index);
     for (int i = 0; i < pair.manifold.count; ++i) {
       const Real separation = pair.manifold.points[at(i)].separation;
       const Real speed = partingSpeed(state, pair, i);
@@ -201,10 +201,8 @@ void resolveAtOnce(WorldState& state, std::span<const Index> bodies, std::span<c
         ++state.counters.impacts;
         if (-pair.restitution * speed > slow) point.target = -pair.restitution * speed;
       }
-      one.pointOf[at(one.patch.count)] = i;
-      one.patch.points[at(one.patch.count++)] = point;
+      addPoint(one, i, point);
     }
-    one.patch.slowest = std::numeric_limits<Real>::infinity();
     if (one.patch.count > 0) work.patches.push_back(one);
   }
   if (fastest == 0) return;
