@@ -145,10 +145,6 @@ Compiled compileSubmission(const Project& project, const Exercise& exercise, con
   append(command.words, list(project.manifest.at("flags")));
   append(command.words, list(project.manifest.at(exercise.isTest() ? "test_submission_flags"
                                                                    : "submission_flags")));
-  // Templates and constant expressions that compute for ever end here, long before the limits on time and memory.
-  const bool clang = project.text("compiler_id").find("Clang") != std::string::npos;
-  append(command.words, {"-ftemplate-depth=512",
-                         clang ? "-fconstexpr-steps=4000000" : "-fconstexpr-ops-limit=4000000"});
   if (entry.at("no_geometry").get<bool>())
     command.words.push_back("-I" + project.text("no_geometry_include"));
   for (const auto& include : list(project.manifest.at("includes")))

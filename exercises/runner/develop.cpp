@@ -313,6 +313,16 @@ class Prover {
     proof_.row["right"] = good;
   }
 
+  // What exercise.ini says of a file in wrong/; nothing, and a problem, where it does not name it.
+  const Wrong* catalogued(const fs::path& file) {
+    const std::string name = file.stem().string();
+    const auto known = std::find_if(e_.wrong.begin(), e_.wrong.end(),
+                                    [&](const Wrong& w) { return w.name == name; });
+    if (known != e_.wrong.end()) return &*known;
+    problem("wrong/" + file.filename().string() + " has no section [wrong." + name + "]");
+    return nullptr;
+  }
+
   void wrong() {
     const auto files = versions(e_, "wrong");
     int caught = 0;
@@ -333,12 +343,8 @@ class Prover {
     if (answers.empty()) problem("the grader has no probes");
     for (const auto& file : files) {
       const std::string name = file.stem().string();
-      const auto known = std::find_if(e_.wrong.begin(), e_.wrong.end(),
-                                      [&](const Wrong& w) { return w.name == name; });
-      if (known == e_.wrong.end()) {
-        problem("wrong/" + file.filename().string() + " has no section [wrong." + name + "]");
-        continue;
-      }
+      const Wrong* known = catalogued(file);
+      if (!known) continue;
       const auto mine = readFingerprint(freshAll.at(name));
       // Other compilers round differently, so fingerprints are compared as answers, not as text.
       if (!keptAll.is_object() || !keptAll.contains(name) ||
@@ -381,12 +387,8 @@ class Prover {
       problem(versionsFile(e_).string() + " is out of date: run ./course dev sync");
     for (const auto& file : files) {
       const std::string name = file.stem().string();
-      const auto known = std::find_if(e_.wrong.begin(), e_.wrong.end(),
-                                      [&](const Wrong& w) { return w.name == name; });
-      if (known == e_.wrong.end()) {
-        problem("wrong/" + file.filename().string() + " has no section [wrong." + name + "]");
-        continue;
-      }
+      const Wrong* known = catalogued(file);
+      if (!known) continue;
       const auto result = check({.source = file, .throughPipe = true, .lazy = {}});
       for (const auto& c : result.checks) {
         const bool own = c.name == known->check;
