@@ -142,30 +142,6 @@ class EnergyJudge : public Judge {
   long count_ = 0;
 };
 
-// How deep the bodies are in each other, over time and at the end.
-class DepthJudge : public Judge {
- public:
-  explicit DepthJudge(const Scene& scene) : scene_(scene) {}
-  void see(Real, std::span<const State> bodies) override {
-    last_ = overlapsOf(scene_, bodies);
-    deepest_ = std::max(deepest_, last_.deepest);
-    means_ += last_.mean, squares_ += last_.sumOfSquares, ++count_;
-  }
-  std::vector<Figure> figures() const override {
-    const Real count = static_cast<Real>(count_);
-    return {{"deepest [m]", deepest_},
-            {"mean depth [m]", means_ / count},
-            {"mean depth at the end [m]", last_.mean},
-            {"mean sum of squares [m^2]", squares_ / count}};
-  }
-
- private:
-  Scene scene_;
-  Overlaps last_;
-  Real deepest_ = 0, means_ = 0, squares_ = 0;
-  long count_ = 0;
-};
-
 // --- S2
 
 class Bouncing49Judge : public Judge {
@@ -373,7 +349,7 @@ Scene balls216Scene(const std::string& name, bool elastic) {
   if (elastic) {
     scene.judge = [](const Scene& s) { return std::make_unique<EnergyJudge>(s); };
   } else {
-    scene.judge = [](const Scene& s) { return std::make_unique<DepthJudge>(s); };
+    scene.judge = depthJudge;
   }
   return scene;
 }
@@ -390,7 +366,7 @@ Scene drop666Scene() {
     scene.bodies.push_back(ball);
   }
   scene.duration = 5, scene.lookEvery = 1.0 / 30;
-  scene.judge = [](const Scene& s) { return std::make_unique<DepthJudge>(s); };
+  scene.judge = depthJudge;
   return scene;
 }
 

@@ -61,4 +61,36 @@ Overlaps overlapsOf(const Scene& scene, std::span<const State> bodies) {
   return overlaps;
 }
 
+namespace {
+
+class DepthJudge : public Judge {
+ public:
+  explicit DepthJudge(const Scene& scene) : scene_(scene) {}
+  void see(Real, std::span<const State> bodies) override {
+    last_ = overlapsOf(scene_, bodies);
+    deepest_ = std::max(deepest_, last_.deepest);
+    means_ += last_.mean, squares_ += last_.sumOfSquares, ++count_;
+    energy_ = kineticEnergy(scene_, bodies);
+  }
+  std::vector<Figure> figures() const override {
+    const Real count = static_cast<Real>(count_);
+    return {
+        {"kinetic energy left [J]", energy_},      {"deepest [m]", deepest_},
+        {"deepest at the end [m]", last_.deepest}, {"mean depth [m]", means_ / count},
+        {"mean depth at the end [m]", last_.mean}, {"mean sum of squares [m^2]", squares_ / count}};
+  }
+
+ private:
+  Scene scene_;
+  Overlaps last_;
+  Real deepest_ = 0, means_ = 0, squares_ = 0, energy_ = 0;
+  long count_ = 0;
+};
+
+}  // namespace
+
+std::unique_ptr<Judge> depthJudge(const Scene& scene) {
+  return std::make_unique<DepthJudge>(scene);
+}
+
 }  // namespace carom::scenes

@@ -6,6 +6,7 @@
 // is the exact depth), anything against a half-space by its lowest point.
 // Why here: an engine that calls a centimetre of overlap "touching" would report none.
 
+#include <memory>
 #include <span>
 
 #include "scenes/scene.hpp"
@@ -26,5 +27,9 @@ Real gapOf(const Body& a, const State& A, const Body& b, const State& B);
 /// Looks at all pairs of which at least one moves.
 /// \param scene tells the shapes \param bodies tells the poses \return depths
 Overlaps overlapsOf(const Scene& scene, std::span<const State> bodies);
+
+/// The judge of scenes that have no answer but rest: how deep the bodies are in each other over
+/// time and at the end, and the energy of motion that is left. \param scene that is run
+std::unique_ptr<Judge> depthJudge(const Scene& scene);
 
 }  // namespace carom::scenes

@@ -74,29 +74,6 @@ class BulletJudge : public Judge {
   Real deepest_ = 0;
 };
 
-// --- K and L: nothing to compare with but rest.
-
-class RestJudge : public Judge {
- public:
-  explicit RestJudge(const Scene& scene) : scene_(scene) {}
-  void see(Real, std::span<const State> bodies) override {
-    last_ = overlapsOf(scene_, bodies);
-    deepest_ = std::max(deepest_, last_.deepest);
-    energy_ = kineticEnergy(scene_, bodies);
-  }
-  std::vector<Figure> figures() const override {
-    return {{"kinetic energy left [J]", energy_},
-            {"deepest [m]", deepest_},
-            {"deepest at the end [m]", last_.deepest},
-            {"mean depth at the end [m]", last_.mean}};
-  }
-
- private:
-  Scene scene_;
-  Overlaps last_;
-  Real deepest_ = 0, energy_ = 0;
-};
-
 Body restingBox(Real mass, const Vector3& position) {
   Body box = boxBody(Vector3::Constant(0.5), mass);
   box.friction = kHalfFriction;
@@ -186,7 +163,7 @@ Scene fieldScene(const std::string& name, bool asleep) {
   scene.untimed = asleep ? 4 : 1;
   scene.duration = scene.untimed + (asleep ? 10 : 1);
   scene.lookEvery = scene.duration;
-  scene.judge = [](const Scene& s) { return std::make_unique<RestJudge>(s); };
+  scene.judge = depthJudge;
   return scene;
 }
 
@@ -212,7 +189,7 @@ Scene hullPileScene() {
     scene.bodies.push_back(hull);
   }
   scene.duration = 5, scene.lookEvery = 0.25;
-  scene.judge = [](const Scene& s) { return std::make_unique<RestJudge>(s); };
+  scene.judge = depthJudge;
   return scene;
 }
 

@@ -42,61 +42,29 @@ void Tree<Dim>::insert(std::int32_t item, const Box& box) {
   requireBox(box);
   if (contains(item)) reject("item", std::to_string(item), "must not be in the tree yet");
   if (static_cast<std::size_t>(item) >= leafOf_.size()) leafOf_.resize(item + 1, kNone);
-  leafOf_[item] = insertLeaf(box, item);
+  insertLeaf(box, item);
   ++size_;
   ++added_;
 }
 
 template <int Dim>
-std::int32_t Tree<Dim>::insertLeaf(const Box& box, std::int32_t item) {
-  ordered_ = false;
+void Tree<Dim>::insertLeaf(const Box& box, std::int32_t item) {
   if constexpr (Dim == 3) {
-    if (takesPlainPath()) return treeInsert(nodes_, box, item);
-  }
-  const std::int32_t leaf = takeNode(nodes_);
-  const std::int32_t parent = nodes_.root == kNone ? kNone : takeNode(nodes_);
-  TreeNode<Dim>* nodes = nodes_.nodes.data();
-  nodes[leaf].box = box;
-  nodes[leaf].item = item;
-  if (parent == kNone) return nodes_.root = leaf;
-
-  // Down to where the surface grows least. Where both children are as good, the bits of the item
-  // choose, so that bodies at one point make a bush and not a chain.
-  auto bits = static_cast<std::uint32_t>(item);
-  const Real own = halfSurface(box);
-  std::int32_t sibling = nodes_.root;
-  Real both = halfSurface(joined(nodes[sibling].box, box));
-  while (!nodes[sibling].isLeaf()) {
-    const TreeNode<Dim>& node = nodes[sibling];
-    const TreeNode<Dim>&left = nodes[node.left], &right = nodes[node.right];
-    const Real withLeft = halfSurface(joined(left.box, box));
-    const Real withRight = halfSurface(joined(right.box, box));
-    const Real goOn = both - halfSurface(node.box);
-    const Real costLeft = goOn + withLeft - (left.isLeaf() ? 0 : halfSurface(left.box) - own);
-    const Real costRight = goOn + withRight - (right.isLeaf() ? 0 : halfSurface(right.box) - own);
-    if (both < costLeft && both < costRight) break;
-    const bool toLeft = costLeft < costRight || (costLeft == costRight && (bits & 1) == 0);
-    bits = bits >> 1 | bits << 31;
-    sibling = toLeft ? node.left : node.right;
-    both = toLeft ? withLeft : withRight;
-  }
-
-  const std::int32_t above = nodes[sibling].parent;
-  nodes[parent].parent = above;
-  nodes[parent].left = sibling;
-  nodes[parent].right = leaf;
-  nodes[parent].box = joined(nodes[sibling].box, box);
-  nodes[sibling].parent = nodes[leaf].parent = parent;
-  if (above == kNone) {
-    nodes_.root = parent;
+    ordered_ = false;
+    leafOf_[item] = treeInsert(nodes_, box, item);
+    if (takesPlainPath()) return;
+    // Nodes whose boxes have grown may now be better off elsewhere: from below, without the first,
+    // whose children are two boxes that it was made for.
+    const std::int32_t made = nodes_.nodes[leafOf_[item]].parent;
+    for (std::int32_t up = made; up != kNone; up = nodes_.nodes[up].parent) {
+      if (up != made) rotate(up);
+    }
   } else {
-    (nodes[above].left == sibling ? nodes[above].left : nodes[above].right) = parent;
+    // In the plane there are only pictures, of tens of boxes: all of it is made anew.
+    takeLeaves();
+    leaves_.push_back({box, item});
+    makeFromLeaves();
   }
-  for (std::int32_t up = above; up != kNone; up = nodes[up].parent) {
-    nodes[up].box = joined(nodes[up].box, box);
-    rotate(up);
-  }
-  return leaf;
 }
 
 // Changes one child with one grandchild on the other side, if the box that this changes gets
@@ -160,15 +128,15 @@ void Tree<Dim>::removeLeaf(std::int32_t leaf) {
   // The sibling takes the place of the node that was above both.
   const std::int32_t sibling =
       nodes[parent].left == leaf ? nodes[parent].right : nodes[parent].left;
-  const std::int32_t above = nodes[parent].parent;
-  nodes[sibling].parent = above;
+  const std::int32_t higher = nodes[parent].parent;
+  nodes[sibling].parent = higher;
   giveNode(nodes_, parent);
-  if (above == kNone) {
+  if (higher == kNone) {
     nodes_.root = sibling;
     return;
   }
-  (nodes[above].left == parent ? nodes[above].left : nodes[above].right) = sibling;
-  refitFrom(above);
+  (nodes[higher].left == parent ? nodes[higher].left : nodes[higher].right) = sibling;
+  refitFrom(higher);
 }
 
 template <int Dim>
@@ -192,14 +160,14 @@ void Tree<Dim>::move(std::int32_t item, const Box& box) {
   const std::int32_t parent = nodes[leaf].parent;
   const std::int32_t above = parent == kNone ? kNone : nodes[parent].parent;
   if (above == kNone || holds(nodes[above].box, box)) {
-    nodes[leaf].box = box;
+    nodes_.nodes[leaf].box = box;
     refitFrom(parent);
     return;
   }
   ++work_.reinserted;
   ++replaced_;
   removeLeaf(leaf);
-  leafOf_[item] = insertLeaf(box, item);
+  insertLeaf(box, item);
 }
 
 template <int Dim>
@@ -238,9 +206,19 @@ Real Tree<Dim>::refitAll() {
 }
 
 template <int Dim>
-void Tree<Dim>::rebuild() {
+void Tree<Dim>::takeLeaves() {
   leaves_.clear();
   forEach([&](std::int32_t item) { leaves_.push_back({nodes_.nodes[leafOf_[item]].box, item}); });
+}
+
+template <int Dim>
+void Tree<Dim>::rebuild() {
+  takeLeaves();
+  makeFromLeaves();
+}
+
+template <int Dim>
+void Tree<Dim>::makeFromLeaves() {
   buildTree(leaves_, nodes_, scratch_);
   for (std::size_t node = 0; node < nodes_.nodes.size(); ++node) {
     if (nodes_.nodes[node].isLeaf()) {

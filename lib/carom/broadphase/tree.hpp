@@ -204,7 +204,9 @@ class Tree {
   std::int64_t overlapFrom(std::int32_t node, const Box& box, Visit&& visit) const;
 
   void requireIn(std::int32_t item) const;
-  std::int32_t insertLeaf(const Box& box, std::int32_t item);
+  void insertLeaf(const Box& box, std::int32_t item);
+  void takeLeaves();
+  void makeFromLeaves();
   void removeLeaf(std::int32_t leaf);
   void rotate(std::int32_t node);
   void refitFrom(std::int32_t node);

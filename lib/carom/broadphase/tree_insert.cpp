@@ -18,15 +18,18 @@ std::int32_t treeInsert(BoxTree& tree, const Aabb<3>& box, std::int32_t item) {
     return nodes[node].isLeaf() ? both : both - halfSurface(nodes[node].box) + own;
   };
   std::int32_t sibling = tree.root;
-  while (!nodes[sibling].isLeaf()) {
+  for (int level = 0; !nodes[sibling].isLeaf(); ++level) {
     const TreeNode<3>& node = nodes[sibling];
     const Real both = halfSurface(joined(node.box, box));
     // To stop makes a new box around both; to go on makes this box larger.
     const Real goOn = both - halfSurface(node.box);
     const Real left = goOn + growth(node.left);
     const Real right = goOn + growth(node.right);
-    if (both <= left && both <= right) break;
-    sibling = left <= right ? node.left : node.right;
+    if (both < left && both < right) break;
+    // Where both ways are as good the bits of the item choose: items at one point make a bush then,
+    // and not a chain.
+    const bool even = (item >> level % 31 & 1) == 0;
+    sibling = left < right || (left == right && even) ? node.left : node.right;
   }
 
   // The new node takes the place of the sibling, which goes below it.
