@@ -43,6 +43,7 @@ class CaromEngine : public Engine {
     };
     return {figure("bodies awake", c.bodiesAwake),     figure("bodies asleep", c.bodiesAsleep),
             figure("bodies free", c.bodiesFree),       figure("islands awake", c.islandsAwake),
+            figure("islands still", c.islandsStill),   figure("pairs kept", c.pairsKept),
             figure("pairs tested", c.pairsTested),     figure("pairs awake", c.pairsAwake),
             figure("manifolds made", c.manifoldsMade), figure("axes searches", c.axesSearches),
             figure("contact points", c.contactPoints), figure("normal rows", c.normalRows),
@@ -97,7 +98,7 @@ std::vector<EngineKind> caromEngines() {
   world::WorldSettings noEvents;
   noEvents.locateEvents = false;
   world::WorldSettings skipsNothing;
-  skipsNothing.sleeping = false;
+  skipsNothing.sleeping = skipsNothing.keepStill = false;
   skipsNothing.pairFinding = world::PairFinding::allPairs;
   return {
       caromWith("carom", "as it comes; sleeping only where the scene lets bodies sleep", {}, true),

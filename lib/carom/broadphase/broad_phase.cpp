@@ -70,7 +70,8 @@ bool BroadPhase::hasTooMuch(const Aabb<3>& room, const Aabb<3>& box, const Vecto
   return false;
 }
 
-void BroadPhase::add(std::int32_t body, const Aabb<3>& box, Mobility mobility) {
+void BroadPhase::add(std::int32_t body, const Aabb<3>& box, Mobility mobility,
+                     std::uint32_t family) {
   requireItem(body);
   requireBox(box);
   if (contains(body)) reject("body", std::to_string(body), "must not be in the broad phase yet");
@@ -79,7 +80,13 @@ void BroadPhase::add(std::int32_t body, const Aabb<3>& box, Mobility mobility) {
   added.isIn = added.isNew = true;
   added.isImmovable = mobility == Mobility::immovable;
   added.box = added.isImmovable ? box : withRoom(box, Vector3::Zero());
+  added.family = family;
   ++size_;
+  if (!added.isImmovable) {
+    if (movingSize_ == 0) family_ = family;
+    ++movingSize_;
+    familySize_ += family == family_ ? 1 : 0;
+  }
   list(body);
 }
 
@@ -90,6 +97,10 @@ void BroadPhase::remove(std::int32_t body) {
     pairs_.remove(slot);
   });
   if (!bodies_[body].isNew) (bodies_[body].isImmovable ? immovable_ : moving_).remove(body);
+  if (!bodies_[body].isImmovable) {
+    --movingSize_;
+    familySize_ -= bodies_[body].family == family_ ? 1 : 0;
+  }
   // It may stand in moved_ still, and is passed over there.
   bodies_[body] = Body();
   --size_;
@@ -119,6 +130,18 @@ constexpr std::int64_t kShare = 6;
 constexpr std::int32_t kSweepUpTo = 500;  // bodies; above, a grid compares fewer
 constexpr std::int64_t kMostBig = 16;     // bodies that each would be compared with all
 constexpr std::int32_t kGridRest = 64;    // updates, where it had too many big ones
+
+// Whether no two bodies that may move can be a pair.
+bool BroadPhase::areStrangers() const {
+  return settings_.search == PairSearch::chosen && family_ != 0 && familySize_ == movingSize_;
+}
+
+// Whether the tree of moving bodies will be asked: among strangers by immovable ones only.
+bool BroadPhase::asksMoving(bool strangers) const {
+  return !strangers || std::any_of(moved_.begin(), moved_.end(), [&](std::int32_t body) {
+    return bodies_[body].isListed && bodies_[body].isImmovable;
+  });
+}
 
 PairSearch BroadPhase::chooseSearch() {
   PairSearch search = settings_.search;

@@ -86,8 +86,10 @@ class BroadPhase {
   /// \param body a number from 0 that is not in
   /// \param box its tight box [m, world]; infinite sides allowed
   /// \param mobility whether it may move
+  /// \param family zero, or a number: two bodies of one family are never a pair. As long as all that
+  ///   move are of one family nobody looks for those at all
   /// \throws InvalidInput if it is in already or the box holds no point; then nothing is changed
-  void add(std::int32_t body, const Aabb<3>& box, Mobility mobility);
+  void add(std::int32_t body, const Aabb<3>& box, Mobility mobility, std::uint32_t family = 0);
 
   /// Takes a body out; its pairs end at once and are in ended() after the next update().
   /// \param body that is in \throws InvalidInput if it is not
@@ -174,11 +176,14 @@ class BroadPhase {
     bool isImmovable = false;
     bool isListed = false;  // in moved_
     bool isNew = false;     // no tree knows it yet
+    std::uint32_t family = 0;
   };
   void list(std::int32_t body);
   bool hasTooMuch(const Aabb<3>& room, const Aabb<3>& box, const Vector3& way) const;
   Aabb<3> withRoom(const Aabb<3>& box, const Vector3& way) const;
   PairSearch chooseSearch();
+  bool areStrangers() const;
+  bool asksMoving(bool strangers) const;
   void updateTrees(bool movesToo);
   void orderMoved();
   void refreshTree() const;
@@ -197,6 +202,9 @@ class BroadPhase {
   PairGrid grid_;
   PairCache pairs_;
   std::int32_t size_ = 0;            // bodies that are in
+  std::int32_t movingSize_ = 0;      // of these: that may move
+  std::uint32_t family_ = 0;         // of the first body that may move
+  std::int32_t familySize_ = 0;      // how many that may move are of it
   std::int32_t gridRests_ = 0;       // updates until a grid is tried again
   std::vector<std::int32_t> moved_;  // bodies that left their boxes, are new, or were touched
   mutable std::vector<std::int32_t> items_;  // some bodies, and their boxes
@@ -211,8 +219,9 @@ void BroadPhase::update(Accept&& accept) {
   ended_.swap(removed_);
   removed_.clear();
   if (moved_.empty()) return sortEvents();
-  const PairSearch search = chooseSearch();
-  updateTrees(search == PairSearch::trees);
+  const bool strangers = areStrangers();
+  const PairSearch search = strangers ? PairSearch::trees : chooseSearch();
+  updateTrees(search == PairSearch::trees && asksMoving(strangers));
 
   // Old pairs of those that moved: do they still meet?
   for (const std::int32_t body : moved_) {
@@ -230,6 +239,8 @@ void BroadPhase::update(Accept&& accept) {
 
   // New pairs: those that meet and are no pair yet.
   const auto found = [&](std::int32_t a, std::int32_t b) {
+    const std::uint32_t family = bodies_[a].family;
+    if (family != 0 && family == bodies_[b].family) return;
     if (pairs_.find(a, b) != kNone) return;
     const IndexPair pair = pairOf(a, b);
     if (accept(pair.first, pair.second)) begun_.push_back({pair, pairs_.add(a, b)});
@@ -245,7 +256,9 @@ void BroadPhase::update(Accept&& accept) {
         if (other == body || (bodies_[other].isListed && other < body)) return;
         found(body, other);
       };
-      counters_.visited += moving_.overlap(bodies_[body].box, met);
+      if (!strangers || bodies_[body].isImmovable) {
+        counters_.visited += moving_.overlap(bodies_[body].box, met);
+      }
       if (bodies_[body].isImmovable) continue;
       counters_.visited += immovable_.overlap(bodies_[body].box, met);
     }

@@ -14,7 +14,9 @@ constexpr Real kLastCell = 0x1p52;       // beyond it, neighbours have one numbe
 
 // Only for coordinates of boxes that were entered, which are below kLastCell cells.
 std::int64_t PairGrid::numberOf(Real coordinate) const {
-  return static_cast<std::int64_t>(std::floor(coordinate / cell_));
+  const Real place = coordinate / cell_;
+  const auto whole = static_cast<std::int64_t>(place);  // towards zero
+  return whole - (place < static_cast<Real>(whole) ? 1 : 0);
 }
 
 std::uint64_t PairGrid::keyOf(const std::array<std::int64_t, 3>& cell) const {

@@ -128,12 +128,14 @@ void addShape(WorldState& state, Index body, std::shared_ptr<const ShapeData> da
   owner.reach = std::max(owner.reach, reachOf(shape));
   shape.swept = boundsOf(shape.data->whole, poseOfShape(owner, shape));
   Aabb<3> box = shape.swept;
+  std::uint32_t family = shape.filter.family;
   if (state.settings.pairFinding == PairFinding::allPairs) {
     const Vector3 everywhere = Vector3::Constant(std::numeric_limits<Real>::infinity());
     box = {-everywhere, everywhere};
+    family = 0;
   }
-  state.broadPhase.add(index, box,
-                       owner.kind == BodyKind::immovable ? Mobility::immovable : Mobility::moving);
+  const bool moves = owner.kind != BodyKind::immovable;
+  state.broadPhase.add(index, box, moves ? Mobility::moving : Mobility::immovable, family);
 }
 
 void addShapes(WorldState& state, Index body, const ShapeDescription& description,

@@ -167,10 +167,73 @@ void advanceAtOnce(WorldState& state, Index index, Real dt) {
       {.bodies = island.bodies, .pairs = island.pairs, .start = 0, .end = dt, .speculative = true});
 }
 
+// Whether it is worth the while to look if a step changes anything: nothing is fast, and nothing
+// counts the steps.
+bool mayBeStill(const WorldState& state, const IslandSlot& island) {
+  if (!state.settings.keepStill || island.hardFor > 0) return false;
+  const Real slow = slowSpeed(state);
+  for (const Index index : island.bodies) {
+    const BodySlot& body = state.bodies[at(index)];
+    if (body.anchor || body.velocity.linear.squaredNorm() > slow * slow) return false;
+  }
+  return std::none_of(island.pairs.begin(), island.pairs.end(), [&](Index pair) {
+    return state.bodies[at(state.pairs[at(pair)].bodyA)].kind == BodyKind::kinematic ||
+           state.bodies[at(state.pairs[at(pair)].bodyB)].kind == BodyKind::kinematic;
+  });
+}
+
+void remember(WorldState& state, const IslandSlot& island) {
+  Workspace& work = state.work;
+  work.bodiesBefore.clear();
+  work.pairsBefore.clear();
+  for (const Index index : island.bodies) {
+    const BodySlot& body = state.bodies[at(index)];
+    work.bodiesBefore.push_back({body.position, body.orientation, body.velocity});
+  }
+  for (const Index index : island.pairs) {
+    const PairSlot& pair = state.pairs[at(index)];
+    work.pairsBefore.push_back({pair.force, pair.rub, pair.twist, pair.sticks});
+  }
+}
+
+// Whether everything that the next step starts from is what this one started from. Steps with the
+// same start end alike: nothing will change until somebody interferes.
+bool isAsRemembered(const WorldState& state, const IslandSlot& island) {
+  const Workspace& work = state.work;
+  for (std::size_t i = 0; i < island.bodies.size(); ++i) {
+    const BodySlot& body = state.bodies[at(island.bodies[i])];
+    const BodyBefore& before = work.bodiesBefore[i];
+    const Quaternion &q = body.orientation, &p = before.orientation;
+    if (body.anchor || body.position != before.position || q.w != p.w || q.x != p.x || q.y != p.y ||
+        q.z != p.z || body.velocity.linear != before.velocity.linear ||
+        body.velocity.angular != before.velocity.angular) {
+      return false;
+    }
+  }
+  for (std::size_t i = 0; i < island.pairs.size(); ++i) {
+    const PairSlot& pair = state.pairs[at(island.pairs[i])];
+    const PairBefore& before = work.pairsBefore[i];
+    if (pair.force != before.force || pair.rub != before.rub || pair.twist != before.twist ||
+        pair.sticks != before.sticks) {
+      return false;
+    }
+  }
+  return island.hardFor == 0;
+}
+
 }  // namespace
 
 void advanceIsland(WorldState& state, Index index, Real dt) {
   IslandSlot& island = state.islands[at(index)];
+  if (island.still) {
+    ++state.counters.islandsStill;
+    return;
+  }
+  // Pairs of an island that was still until now have no manifold of this step yet.
+  for (const Index pair : island.pairs) makeManifold(state, pair, 0, dt);
+  const bool isWatched = mayBeStill(state, island);
+  if (isWatched) remember(state, island);
+  const std::size_t impacts = state.impacts.size();
   if (state.settings.projectPositions) projectPositions(state, island.bodies, island.pairs);
   // An island whose contacts do not settle is not tried again in each step.
   constexpr int kHardFor = 60;
@@ -183,6 +246,7 @@ void advanceIsland(WorldState& state, Index index, Real dt) {
   }
   if (!byEvents) advanceAtOnce(state, index, dt);
   for (const Index body : island.bodies) moveBody(state, body, dt, true);
+  island.still = isWatched && state.impacts.size() == impacts && isAsRemembered(state, island);
 }
 
 }  // namespace carom::world

@@ -9,6 +9,8 @@
 // An island with more closed contacts than the settings allow is stepped at once instead: what
 // would meet within the step meets at its start, and its points are held apart until they can
 // touch.
+// An island in which a step has changed nothing, not even a last bit, is not stepped again until
+// something is done to it: every further step would compute the same.
 // Source: event-driven molecular dynamics, Alder and Wainwright 1959; own clocks: Lubachevsky 1991;
 // at once: speculative contacts, Firth 2011, after impacts as in Moreau's time stepping.
 // Not handled: islands that meet each other within the step are one island (update_contacts.hpp).

@@ -18,10 +18,12 @@ struct Counters {
   std::int64_t bodiesFree = 0;         ///< of those awake: in free flight, nothing near
   std::int64_t islandsAwake = 0;       ///< islands that were stepped
   std::int64_t islandsAsleep = 0;      ///< islands that were skipped
+  std::int64_t islandsStill = 0;       ///< awake, but nothing can change in them: not stepped
   std::int64_t pairsTested = 0;        ///< boxes compared to find pairs
   std::int64_t pairsBegun = 0;         ///< pairs that came near
   std::int64_t pairsEnded = 0;         ///< pairs that went apart
   std::int64_t pairsAwake = 0;         ///< pairs that were looked at
+  std::int64_t pairsKept = 0;          ///< of those awake: nothing has changed, nothing was made
   std::int64_t pairsAsleep = 0;        ///< pairs that were skipped
   std::int64_t manifoldsMade = 0;      ///< manifolds computed
   std::int64_t axesSearches = 0;       ///< of those: by separating axes (boxes and hulls)

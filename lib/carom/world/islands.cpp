@@ -31,7 +31,7 @@ Index newIsland(WorldState& state) {
   }
   IslandSlot& slot = state.islands[at(island)];
   slot.alive = slot.awake = true;
-  slot.mustSplit = slot.unsorted = false;
+  slot.mustSplit = slot.unsorted = slot.still = false;
   slot.hardFor = 0;
   slot.awakeAt = static_cast<Index>(state.awakeIslands.size());
   state.awakeIslands.push_back(island);
@@ -59,6 +59,7 @@ void endIsland(WorldState& state, Index island) {
 void addBody(WorldState& state, Index island, Index body) {
   state.islands[at(island)].bodies.push_back(body);
   state.islands[at(island)].unsorted = true;
+  state.islands[at(island)].still = false;
   state.bodies[at(body)].island = island;
 }
 
@@ -68,6 +69,7 @@ void addPair(WorldState& state, Index island, Index pair) {
   slot.islandAt = static_cast<Index>(state.islands[at(island)].pairs.size());
   state.islands[at(island)].pairs.push_back(pair);
   state.islands[at(island)].unsorted = true;
+  state.islands[at(island)].still = false;
 }
 
 Index islandOf(WorldState& state, Index body) {
@@ -180,6 +182,7 @@ void releasePair(WorldState& state, Index pair) {
   if (moved != kNone) state.pairs[at(moved)].islandAt = slot.islandAt;
   slot.island = slot.islandAt = kNone;
   island.mustSplit = island.unsorted = true;
+  island.still = false;
 }
 
 void splitIslands(WorldState& state) {
@@ -243,6 +246,7 @@ void wakeIsland(WorldState& state, Index island) {
   if (slot.awake) return;
   ++state.counters.islandsWoken;
   slot.awake = true;
+  slot.still = false;
   slot.awakeAt = static_cast<Index>(state.awakeIslands.size());
   state.awakeIslands.push_back(island);
   // The plain function says who wakes; an island that is in order wakes as a whole.
@@ -265,7 +269,10 @@ void wakeIsland(WorldState& state, Index island) {
 
 void wakeBody(WorldState& state, Index body) {
   BodySlot& slot = state.bodies[at(body)];
-  if (slot.island != kNone) wakeIsland(state, slot.island);
+  if (slot.island != kNone) {
+    wakeIsland(state, slot.island);
+    state.islands[at(slot.island)].still = false;
+  }
   watchAnew(slot);
 }
 

@@ -112,6 +112,8 @@ void moveBody(WorldState& state, Index index, Real time, bool last) {
   BodySlot& body = state.bodies[at(index)];
   if (time == body.clock) return;
   const BodyState after = bodyAt(state, index, time);
+  const Quaternion &q = after.orientation, &before = body.orientation;
+  const bool turned = q.w != before.w || q.x != before.x || q.y != before.y || q.z != before.z;
   if (body.anchor && !body.isFree) dropAnchor(state, body);
   if (body.anchor) {
     RotorAnchor& anchor = state.anchors[*body.anchor];
@@ -121,7 +123,11 @@ void moveBody(WorldState& state, Index index, Real time, bool last) {
   body.orientation = after.orientation;
   body.velocity = last && !body.isFree ? body.atEnd : after.velocity;
   body.clock = time;
-  refreshPose(body);
+  if (turned) {
+    refreshPose(body);
+  } else {
+    body.pose.p_WB = body.position;
+  }
 }
 
 void dropAnchor(WorldState& state, BodySlot& body) {

@@ -22,7 +22,8 @@ struct WorldSettings {
   PairFinding pairFinding = PairFinding::tree;  ///< how pairs are found
   bool warmStarting = true;                     ///< begin with the impulses of the last step
   bool sleeping = true;                         ///< let islands sleep that have come to rest
-  bool continuous = true;                       ///< look for first contacts inside the step
+  bool keepStill = true;      ///< do not step an island in which the last step changed nothing
+  bool continuous = true;     ///< look for first contacts inside the step
   bool locateEvents = true;   ///< find impacts and ends of slipping inside the step and go on there
   bool exactRotation = true;  ///< free rotation in closed form where the inertia needs it
   bool gyroscopic = true;     ///< the gyroscopic term at all; false: bodies turn as balls do

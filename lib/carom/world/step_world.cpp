@@ -19,8 +19,11 @@ void beginStep(WorldState& state, Real dt) {
   state.ended.erase(state.ended.begin(),
                     state.ended.begin() + static_cast<std::ptrdiff_t>(state.endedBefore));
   state.impacts.clear();
+  // What a step of one length leaves as it is, one of another may change.
+  if (dt != state.lastStep) {
+    for (const Index island : state.awakeIslands) state.islands[at(island)].still = false;
+  }
   state.lastStep = dt;
-  for (const Index body : state.awakeBodies) state.bodies[at(body)].clock = 0;
 }
 
 // Bodies that no pair holds, and those that only their own velocity moves.
@@ -38,6 +41,7 @@ void advanceFree(WorldState& state, Real dt) {
 void reportContacts(WorldState& state) {
   for (const Index index : state.awakePairs) {
     PairSlot& pair = state.pairs[at(index)];
+    if (pair.madeAt < 0) continue;  // kept: as it was
     bool touches = false;
     for (int i = 0; i < pair.manifold.count; ++i) touches = touches || isClosed(state, pair, i);
     if (touches != pair.touches) {

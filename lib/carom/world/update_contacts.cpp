@@ -145,32 +145,59 @@ bool makeRoom(WorldState& state, const PairSlot& pair, Index striking, Index str
   const Real room = std::max(slow.velocity.linear.norm() * dt, slow.struck);
   if (thrown <= room + state.settings.contactMargin) return false;
   slow.struck = thrown;
+  slow.kept = false;
   moveBoxes(state, struck, dt);
   return true;
 }
 
-}  // namespace
+// Whether nothing about a body has changed since the last step, its boxes included. What is placed
+// anew between steps wakes those it meets, which are not kept then.
+bool isKept(const BodySlot& body) {
+  return body.kept || body.asleep || body.kind == BodyKind::immovable;
+}
 
-void updatePairs(WorldState& state, Real dt) {
-  for (const Index body : state.awakeBodies) {
-    state.bodies[at(body)].struck = 0;
-    moveBoxes(state, body, dt);
-  }
-  findPairs(state);
-  if (!state.settings.locateEvents) return;
-  // What is struck may meet others that it would not have come near by itself; and these, others.
+bool isKept(const WorldState& state, const PairSlot& pair) {
+  return pair.known && isKept(state.bodies[at(pair.bodyA)]) && isKept(state.bodies[at(pair.bodyB)]);
+}
+
+// Blows go on through the pairs that there are. Returns whether a body got more room.
+bool makeRooms(WorldState& state, Real dt) {
   constexpr int kMost = 8;
   for (int round = 0; round < kMost; ++round) {
     bool more = false;
     for (const Index index : state.awakePairs) {
       const PairSlot& pair = state.pairs[at(index)];
+      if (isKept(state, pair)) continue;
       if (!meets(state.shapes[at(pair.shapeA)].swept, state.shapes[at(pair.shapeB)].swept)) {
         continue;
       }
       more = makeRoom(state, pair, pair.bodyA, pair.bodyB, dt) || more;
       more = makeRoom(state, pair, pair.bodyB, pair.bodyA, dt) || more;
     }
-    if (!more) break;
+    if (!more) return round > 0;
+  }
+  return true;
+}
+
+}  // namespace
+
+void updatePairs(WorldState& state, Real dt) {
+  for (const Index index : state.awakeBodies) {
+    BodySlot& body = state.bodies[at(index)];
+    body.clock = 0;
+    body.kept = body.struck == 0 && body.island != kNone && state.islands[at(body.island)].still;
+    if (body.kept) continue;
+    body.struck = 0;
+    moveBoxes(state, index, dt);
+  }
+  // What is struck may meet others that it would not have come near by itself; and these, others.
+  // The pairs of the last step know most of it: then pairs are looked for once.
+  const bool strikes = state.settings.locateEvents;
+  if (strikes) makeRooms(state, dt);
+  findPairs(state);
+  constexpr int kMost = 8;
+  for (int round = 0; strikes && round < kMost; ++round) {
+    if (state.broadPhase.begun().empty() || !makeRooms(state, dt)) break;
     findPairs(state);
   }
 }
@@ -233,6 +260,11 @@ void updateManifolds(WorldState& state, Real dt) {
     // The broad phase has nothing to compare if everything is near everything.
     if (state.settings.pairFinding == PairFinding::allPairs) ++state.counters.pairsTested;
     pair.madeAt = -1;
+    if (isKept(state, pair)) {
+      ++state.counters.pairsKept;
+      continue;
+    }
+    pair.known = true;
     const ShapeSlot &a = state.shapes[at(pair.shapeA)], &b = state.shapes[at(pair.shapeB)];
     if (meets(a.swept, b.swept)) {
       for (const Index body : {pair.bodyA, pair.bodyB}) {

@@ -74,6 +74,7 @@ void World::change(const WorldSettings& settings) {
   requireUsable(settings);
   state_->settings = settings;
   for (std::size_t i = 0; i < state_->islands.size(); ++i) {
+    state_->islands[i].still = false;
     if (state_->islands[i].alive) wakeIsland(*state_, static_cast<Index>(i));
   }
 }

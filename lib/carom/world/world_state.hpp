@@ -76,6 +76,7 @@ struct BodySlot {
   bool isFree = false;                ///< nothing touches it in this part of the step
   Real struck = 0;        ///< how far it may be thrown in this step by what strikes it [m]
   bool byEnd = false;     ///< moves by its velocity at the end of the step
+  bool kept = false;      ///< its island is still, and its boxes are those of the last step
   Index island = kNone;   ///< where it belongs; none: alone, or not dynamic
   Index awakeAt = kNone;  ///< its place in the list of those awake
   Index local = kNone;    ///< its number while an island is worked on
@@ -117,6 +118,7 @@ struct PairSlot {
   Index islandAt = kNone;          ///< its place in the island's list
   bool touches = false;            ///< some point is closed, at the end of the last step
   bool sticks = false;             ///< friction held it in the last part of a step
+  bool known = false;              ///< has been looked at in some step
   Real friction = 0;               ///< of the two materials [1]
   Real restitution = 0;            ///< of the two materials [1]
   ManifoldCache cache;             ///< hints
@@ -136,6 +138,7 @@ struct IslandSlot {
   bool mustSplit = false;  ///< a pair has ended: it may be two by now
   int hardFor = 0;        ///< steps for which it is not tried by events: its contacts do not settle
   bool unsorted = false;  ///< something was added
+  bool still = false;     ///< its last step changed nothing, so neither will the next
   Index awakeAt = kNone;  ///< its place in the list of those awake
   std::vector<Index> bodies;  ///< dynamic ones, ascending
   std::vector<Index> pairs;   ///< pairs that hold it together, and those with immovable bodies
@@ -148,20 +151,37 @@ struct WorkPatch {
   std::array<int, 4> pointOf = {};  ///< numbers of its points in the manifold
 };
 
+/// Of a body what a step may change. \ingroup world
+struct BodyBefore {
+  Vector3 position = Vector3::Zero();  ///< centre of mass [m, world]
+  Quaternion orientation;              ///< inner frame to world
+  Velocity velocity;                   ///< [world]
+};
+
+/// Of a pair what one step hands on to the next. \ingroup world
+struct PairBefore {
+  std::array<Real, 4> force = {};  ///< along the normal, of each point [N]
+  Vector3 rub = Vector3::Zero();   ///< friction on B [N, world]
+  Real twist = 0;                  ///< its torque about the normal [N m]
+  bool sticks = false;             ///< friction held it
+};
+
 /// Memory that stages use again in each step. \ingroup world
 struct Workspace {
-  std::vector<MovingBody> moving;     ///< bodies as the solver sees them
-  std::vector<Index> members;         ///< whose they are
-  std::vector<WorkPatch> patches;     ///< what touches
-  std::vector<ContactBlock> blocks;   ///< the same, prepared
-  std::vector<Index> set;             ///< bodies that something has happened to
-  std::vector<Index> setPairs;        ///< pairs of these
-  std::vector<Index> innerPairs;      ///< of these, pairs whose bodies are all in the set
-  std::vector<Index> labels;          ///< of bodies, while islands are looked for
-  std::vector<IndexPair> links;       ///< pairs of local numbers
-  std::vector<std::uint8_t> flags;    ///< one per local body
-  std::vector<BodyContact> contacts;  ///< of impacts
-  std::vector<Index> contactPairs;    ///< whose
+  std::vector<MovingBody> moving;        ///< bodies as the solver sees them
+  std::vector<Index> members;            ///< whose they are
+  std::vector<WorkPatch> patches;        ///< what touches
+  std::vector<ContactBlock> blocks;      ///< the same, prepared
+  std::vector<Index> set;                ///< bodies that something has happened to
+  std::vector<Index> setPairs;           ///< pairs of these
+  std::vector<Index> innerPairs;         ///< of these, pairs whose bodies are all in the set
+  std::vector<Index> labels;             ///< of bodies, while islands are looked for
+  std::vector<IndexPair> links;          ///< pairs of local numbers
+  std::vector<std::uint8_t> flags;       ///< one per local body
+  std::vector<BodyContact> contacts;     ///< of impacts
+  std::vector<Index> contactPairs;       ///< whose
+  std::vector<BodyBefore> bodiesBefore;  ///< of an island that may be still
+  std::vector<PairBefore> pairsBefore;   ///< of the same
 };
 
 /// Everything. \ingroup world

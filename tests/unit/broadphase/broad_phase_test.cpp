@@ -89,6 +89,55 @@ TEST_CASE("the pairs are those of all pairs while bodies move, come and go") {
   }
 }
 
+TEST_CASE("bodies of one family are no pairs, and strangers do not look for each other") {
+  Random random(5);
+  const int bodies = 60;
+  BroadPhase phase;
+  std::vector<bool> immovable(bodies);
+  std::vector<std::uint32_t> families(bodies);
+  const auto randomBox = [&] {
+    const Vector3 center = random.vector(3);
+    return Aabb<3>{center - Vector3::Constant(0.5), center + Vector3::Constant(0.5)};
+  };
+  for (int step = 0; step < 60; ++step) {
+    // Up to step 20 and from 40 on all that move are of family 7; between there are others.
+    for (int body = 0; body < bodies; ++body) {
+      const bool isOther = body % 10 == 0;
+      if (!phase.contains(body)) {
+        if (isOther && (step < 20 || step >= 40)) continue;
+        immovable[body] = body % 5 == 1;
+        families[body] = immovable[body] ? 0u : isOther ? 3u * (body % 20 == 0) : 7u;
+        phase.add(body, randomBox(), immovable[body] ? Mobility::immovable : Mobility::moving,
+                  families[body]);
+      } else if ((isOther && step == 40) || random.integer(0, 50) == 0) {
+        phase.remove(body);
+      } else if (!immovable[body] || random.integer(0, 20) == 0) {
+        phase.move(body, randomBox());
+      }
+    }
+    phase.update();
+    std::vector<IndexPair> expected;
+    for (const IndexPair& pair : expectedPairs(phase, bodies, immovable)) {
+      const std::uint32_t one = families[pair.first], other = families[pair.second];
+      if (one == 0 || one != other) expected.push_back(pair);
+    }
+    REQUIRE(phase.pairs().sorted() == expected);
+  }
+
+  // A thousand in one place, all of one family: each is compared with the ground alone.
+  BroadPhase crowd;
+  crowd.add(0, unitBoxAt(0, 0, 0), Mobility::immovable);
+  for (int body = 1; body <= 1000; ++body) {
+    crowd.add(body, unitBoxAt(0, 0, 0), Mobility::moving, 1);
+  }
+  crowd.update();
+  const std::int64_t before = crowd.counters().tested;
+  for (int body = 1; body <= 1000; ++body) crowd.move(body, unitBoxAt(0.5, 0, 0));
+  crowd.update();
+  CHECK(crowd.pairs().size() == 1000);
+  CHECK(crowd.counters().tested - before <= 2000);  // old pairs, and the search
+}
+
 TEST_CASE("the search is chosen by how many bodies move, and how many there are") {
   const auto searches = [](int count, int every) {
     std::vector<Aabb<3>> boxes = gasBoxes(count, 17);
