@@ -95,6 +95,7 @@ struct ContactBlock {
   std::array<Real, 4> masses = {};    ///< effective, zero if nothing can move [kg]
   std::array<Real, 4> targets = {};   ///< least speed of parting [m/s]
   std::array<Real, 4> impulses = {};  ///< along the normal [N s]
+  std::array<bool, 4> holds = {};     ///< pulls, too: the points end at the target speed
   /// Where the points are, for pressing all at once: one, and two coordinates about their mean in
   /// parts of the largest distance [1].
   std::array<Vector3, 4> places = {};

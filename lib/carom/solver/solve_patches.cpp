@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "carom/impulse/positive_solve.hpp"
+#include "carom/solver/friction_law.hpp"
 
 namespace carom {
 
@@ -41,19 +42,9 @@ Vector3 frictionAgainst(const ContactBlock& block, const Vector3& w, Real limit)
 Vector3 wantedRub(const ContactBlock& block, const Vector3& slip, Real pressed) {
   const Real limit = block.friction * pressed;
   const Vector3 without = slip - block.matrix * block.rub;
-  if (!block.slips) return frictionAgainst(block, without, limit);
-  // Against the sum of the slips at both ends, unless that can be brought to nothing: then the slip
-  // turns round within the step, and until then friction is against what it was.
-  const Vector3 sum = block.slipBefore + without;
-  if ((block.inverse * sum).squaredNorm() > limit * limit) {
-    return frictionAgainst(block, sum, limit);
-  }
-  // Friction that could stop it a thousand times over stops it at once.
-  constexpr Real kAtOnce = 1e3;
-  if (limit > kAtOnce * (block.inverse * block.slipBefore).norm()) {
-    return frictionAgainst(block, without, limit);
-  }
-  return -limit / block.slipBefore.norm() * block.slipBefore;
+  const FrictionLaw law = frictionLaw(block, without, limit);
+  if (law.given) return -limit / law.before.norm() * law.before;
+  return frictionAgainst(block, law.before + without, limit);
 }
 
 // All points at once: what stops them all, or, if that would make one of them pull, an even
@@ -103,7 +94,8 @@ Real visit(ContactBlock& block, MovingBody& a, MovingBody& b) {
   for (int i = 0; i < block.count; ++i) {
     if (block.masses[i] == 0) continue;
     const Real missing = block.targets[i] - speedAtEnd(block.normals[i], a, b);
-    const Real total = std::max(Real(0), block.impulses[i] + block.masses[i] * missing);
+    const Real wanted = block.impulses[i] + block.masses[i] * missing;
+    const Real total = block.holds[i] ? wanted : std::max(Real(0), wanted);
     const Real added = total - block.impulses[i];
     block.impulses[i] = total;
     pushAlong(block.normals[i], added, a, b);
