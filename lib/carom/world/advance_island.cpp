@@ -246,6 +246,7 @@ void advanceIsland(WorldState& state, Index index, Real dt) {
   }
   if (!byEvents) advanceAtOnce(state, index, dt);
   for (const Index body : island.bodies) moveBody(state, body, dt, true);
+  if (state.settings.projectPositions) projectRounds(state, island.bodies, island.pairs, dt);
   island.still = isWatched && state.impacts.size() == impacts && isAsRemembered(state, island);
 }
 

@@ -25,9 +25,23 @@ Vector3 turnedArm(const Vector3& arm, const Vector3& rate, Real duration) {
   return quaternionToMatrix(integrateOrientation(Quaternion{}, rate, duration)) * arm;
 }
 
+// Two round surfaces that touch: the normal turns as their middles go round each other, and arms
+// stay on it. Impulses act along that of the middle of the time; that of the end is met by the
+// drift.
+void turnNormal(const Vector3& parting, Real duration, PatchPoint& point, Vector3& normal) {
+  const Vector3 apart = point.armA - point.armB;  // from A's centre to B's
+  const auto normalAt = [&](Real time) { return Vector3((apart + time * parting).normalized()); };
+  const Vector3 middle = normalAt(duration / 2), end = normalAt(duration);
+  point.armA = point.armA.norm() * middle;
+  point.armB = -point.armB.norm() * middle;
+  point.drift = parting.dot(end - middle) * middle;
+  normal = middle;
+}
+
 // Arms at the middle of the time, and what they will add to the velocity until its end.
-void moveArms(const WorldState& state, const PairSlot& pair, std::uint32_t id, Real duration,
-              PatchPoint& point) {
+void moveArms(const WorldState& state, const PairSlot& pair, std::uint32_t id,
+              const PhaseTask& task, PatchPoint& point, Vector3& normal) {
+  const Real duration = task.end - task.start;
   const BodySlot &a = state.bodies[at(pair.bodyA)], &b = state.bodies[at(pair.bodyB)];
   const Vector3 &wA = a.velocity.angular, &wB = b.velocity.angular;
   if (wA == Vector3::Zero() && wB == Vector3::Zero() && !(a.mass.inverseMass > 0)) return;
@@ -35,10 +49,16 @@ void moveArms(const WorldState& state, const PairSlot& pair, std::uint32_t id, R
   const bool cornerA = onA == FeatureKind::vertex, cornerB = onB == FeatureKind::vertex;
   const bool roundA = onA == FeatureKind::surface, roundB = onB == FeatureKind::surface;
   if (!cornerA && !cornerB && !roundA && !roundB) return;
+  const Vector3 parting = b.velocity.linear - a.velocity.linear;
+  const auto isBall = [&](const ShapeSlot& shape) { return shape.centred && shape.data->isBall; };
+  if (isBall(state.shapes[at(pair.shapeA)]) && isBall(state.shapes[at(pair.shapeB)])) {
+    // What is still apart must not come nearer along the normal of the start.
+    if (!task.speculative) turnNormal(parting, duration, point, normal);
+    return;
+  }
   // The point moves with the body whose corner it is, or below the middle of the round one.
   const bool withB = cornerB || (roundB && !cornerA);
   const Vector3 between = point.armB - point.armA;  // from B's centre to A's
-  const Vector3 parting = b.velocity.linear - a.velocity.linear;
   const auto arms = [&](Real time) {
     PatchPoint then;
     const Vector3 apart = between - time * parting;
@@ -136,7 +156,9 @@ void addPatch(WorldState& state, const PhaseTask& task, Index index) {
       if (!isClosed(state, pair, i) || partingSpeed(state, pair, i) > slow) continue;
     }
     PatchPoint point = armsOf(state, pair, i);
-    if (state.settings.trapezoidal) moveArms(state, pair, made.id, duration, point);
+    if (state.settings.trapezoidal) {
+      moveArms(state, pair, made.id, task, point, patch.normal);
+    }
     if (task.speculative && made.separation > 0) point.target = -made.separation / duration;
     if (state.settings.warmStarting) point.impulse = pair.force[at(i)] * duration;
     addPoint(work, i, point);

@@ -10,8 +10,8 @@
 // it is; a ball's arm stays below its middle.
 // The end of slipping is found on the way: slip changes evenly, so its time is a division.
 // Source: the trapezoidal rule; Jean 1999 for contacts with a midpoint; stop times: chapter 5.
-// Not handled: normals of two round bodies that roll on each other, which turn within the step and
-// are held as they were at its start.
+// Not handled: that two balls go round each other on a circle. Here it is a parabola, which is off
+// by the fourth power of the angle (project_positions.hpp closes that gap).
 
 #include <span>
 

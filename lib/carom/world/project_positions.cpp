@@ -32,7 +32,7 @@ Real littleWay(const WorldState& state, const PairSlot& pair) {
 
 }  // namespace
 
-void projectPositions(WorldState& state, std::span<const Index> bodies,
+bool projectPositions(WorldState& state, std::span<const Index> bodies,
                       std::span<const Index> pairs) {
   Workspace& work = state.work;
   // Is anything off?
@@ -45,7 +45,7 @@ void projectPositions(WorldState& state, std::span<const Index> bodies,
     }
     off += one ? 1 : 0;
   }
-  if (off == 0) return;
+  if (off == 0) return false;
   state.counters.projections += off;
 
   // The bodies' velocities are ways here, and nothing moves yet.
@@ -110,6 +110,29 @@ void projectPositions(WorldState& state, std::span<const Index> bodies,
       dropAnchor(state, body);
     }
     refreshPose(body);
+  }
+  return true;
+}
+
+void projectRounds(WorldState& state, std::span<const Index> bodies, std::span<const Index> pairs,
+                   Real end) {
+  const auto isRound = [&](Index shape) {
+    return state.shapes[at(shape)].data->isBall || state.shapes[at(shape)].data->isHalfSpace;
+  };
+  bool carries = false;
+  for (const Index index : pairs) {
+    const PairSlot& pair = state.pairs[at(index)];
+    if (!isRound(pair.shapeA) || !isRound(pair.shapeB)) return;
+    carries = carries || (pair.force[0] > 0 && isDynamic(state.bodies[at(pair.bodyA)]));
+  }
+  if (!carries) return;
+  constexpr int kRounds = 8;
+  for (int round = 0; round < kRounds; ++round) {
+    for (const Index index : pairs) {
+      state.pairs[at(index)].madeAt = -1;
+      makeManifold(state, index, end, 0);
+    }
+    if (!projectPositions(state, bodies, pairs)) return;
   }
 }
 

@@ -17,8 +17,16 @@ namespace carom::world {
 
 /// Takes the overlap of a set of bodies away. \param state of the world, at the start of a step
 /// \param bodies dynamic ones; they are moved \param pairs with fresh manifolds; the separations of
-/// their points are changed \ingroup world
-void projectPositions(WorldState& state, std::span<const Index> bodies,
+/// their points are changed \return whether anything was moved \ingroup world
+bool projectPositions(WorldState& state, std::span<const Index> bodies,
                       std::span<const Index> pairs);
+
+/// The same at the end of a step for balls that touch: they went round each other on parabolas,
+/// and the overlap that this leaves is closed while it is smallest. Repeated until nothing is off,
+/// since separations of balls are no straight lines. Islands with other shapes, and those in which
+/// no ball carries another, are left as they are. \param state of the world, all at the end
+/// \param bodies dynamic ones \param pairs of these \param end of the step [s] \ingroup world
+void projectRounds(WorldState& state, std::span<const Index> bodies, std::span<const Index> pairs,
+                   Real end);
 
 }  // namespace carom::world
