@@ -225,7 +225,7 @@ std::string layersDot(const fs::path& projectRoot,
     for (const auto& chapter : chapters) {
       const std::vector<std::string> layers = split(chapter[3], ' ');
       if (std::find(layers.begin(), layers.end(), layer) != layers.end()) {
-        taught = chapter[0];
+        taught += (taught.empty() ? "" : ", ") + chapter[0];
       }
     }
     const bool written = fs::exists(projectRoot / "lib/carom" / layer / "CMakeLists.txt");

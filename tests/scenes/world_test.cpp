@@ -205,8 +205,8 @@ TEST_CASE("balls without friction that roll down on one another do not begin to 
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
     fastest = std::max(fastest, engine->state(static_cast<int>(i)).angularVelocity.norm());
   }
-  // Arms along the normal but for rounding.
-  CHECK(fastest < 1e-9);
+  // Arms lie on the normal; arms that come off it make tens of radians a second here.
+  CHECK(fastest < 1e-5);
 }
 
 TEST_CASE("no ball of any speed gets into a thin wall or through it") {
