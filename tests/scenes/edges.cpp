@@ -20,7 +20,7 @@ Real angleAboutY(const State& body) {
   return 2 * std::atan2(body.orientation.y, body.orientation.w);
 }
 
-// A moment between two looks, by the cubic that has the angles and rates of both.
+// A moment between two looks, by the cubic that has the angles and rates of both, and its slope.
 struct Crossing {
   Real time = 0, rate = 0;
 };
@@ -38,7 +38,10 @@ Crossing crossingOf(Real t0, Real angle0, Real rate0, Real t1, Real angle1, Real
     const Real middle = (low + high) / 2;
     ((at(middle) > 0) == (at(0) > 0) ? low : high) = middle;
   }
-  return {t0 + low * h, rate0 + low * (rate1 - rate0)};
+  const Real s = low, s2 = s * s;
+  const Real slope = 6 * (s2 - s) * (angle0 - angle1) + (3 * s2 - 4 * s + 1) * h * rate0 +
+                     (3 * s2 - 2 * s) * h * rate1;
+  return {t0 + low * h, slope / h};
 }
 
 // --- S7

@@ -76,6 +76,37 @@ void findClusters(WorldState& state) {
   }
 }
 
+// How far the next phase may go. Forces are taken to be even in a phase, which is right to the
+// square of its length. That is enough for bodies that rest, slide or roll; one that turns about a
+// corner or an edge falls faster and faster, and takes short phases.
+Real endOfPhase(const WorldState& state, std::span<const Index> pairs, Real time, Real dt) {
+  // More points are a heap, in which a step is long for other reasons.
+  constexpr int kFewPoints = 8;
+  constexpr Real kShortest = 1.0 / 16;  // of the step [1]
+  constexpr Real kTurn = 1e-5;          // in a phase, before there are more of them [rad]
+  if (!state.settings.trapezoidal) return dt;
+  int points = 0;
+  Real rate = 0;
+  for (const Index index : pairs) {
+    const PairSlot& pair = state.pairs[at(index)];
+    int closed = 0;
+    for (int i = 0; i < pair.manifold.count; ++i) closed += isClosed(state, pair, i) ? 1 : 0;
+    points += closed;
+    if (closed == 0) continue;
+    for (const auto [shape, body] :
+         {std::pair(pair.shapeA, pair.bodyA), {pair.shapeB, pair.bodyB}}) {
+      const ShapeSlot& slot = state.shapes[at(shape)];
+      const BodySlot& owner = state.bodies[at(body)];
+      if (!isDynamic(owner) || (slot.centred && slot.data->isBall)) continue;
+      rate = std::max(rate, owner.velocity.angular.norm() + dt * owner.turning.norm());
+    }
+  }
+  const Real left = dt - time;
+  if (points > kFewPoints || !(rate * left > kTurn)) return dt;
+  const Real most = std::max(Real(1), std::round(left / (kShortest * dt)));
+  return time + left / std::min(most, std::ceil(rate * left / kTurn));
+}
+
 // Something has happened to the bodies of the set, who are all at this time: impacts, then what
 // they do until the end of the step, and when the next thing happens to them.
 // Returns whether their contacts settled.
@@ -90,15 +121,29 @@ bool settle(WorldState& state, Index island, Real time, Real dt, bool bounce) {
   inner.clear();
   for (const Index index : work.setPairs) {
     PairSlot& pair = state.pairs[at(index)];
-    pair.stop = kNever;
+    pair.stop = pair.renew = kNever;
     if (!isInner(state, pair, time)) continue;
     makeManifold(state, index, time, dt - time);
     inner.push_back(index);
   }
   // Impacts may bring neighbours to collide at once; rounds end when nothing approaches.
-  resolveImpacts(state, work.set, inner, time, bounce);
-  const bool settled =
-      solvePhase(state, {.bodies = work.set, .pairs = inner, .start = time, .end = dt});
+  int& knocks = state.islands[at(island)].knocks;
+  if (resolveImpacts(state, work.set, inner, time, bounce)) ++knocks;
+  PhaseTask phase{.bodies = work.set, .pairs = inner, .start = time, .end = dt};
+  // What hits again and again, or does not settle, is not tried in pieces.
+  constexpr int kFewKnocks = 1;
+  if (knocks <= kFewKnocks) phase.end = endOfPhase(state, inner, time, dt);
+  bool settled = solvePhase(state, phase);
+  if (!settled) knocks += kFewKnocks + 1;
+  // What stood still until now begins to turn.
+  const Real end = knocks <= kFewKnocks ? endOfPhase(state, inner, time, dt) : dt;
+  if (phase.end == dt ? end < dt : end == dt) {
+    phase.end = end;
+    settled = solvePhase(state, phase);
+  }
+  if (phase.end < dt) {
+    for (const WorkPatch& one : work.patches) state.pairs[at(one.pair)].renew = phase.end;
+  }
   findClusters(state);
   for (const Index pair : work.setPairs) {
     state.pairs[at(pair)].next = nextContact(state, pair, time, dt);
@@ -118,6 +163,7 @@ Event nextEvent(const WorldState& state, const IslandSlot& island) {
     const PairSlot& slot = state.pairs[at(pair)];
     if (slot.next < event.time) event = {slot.next, pair, false};
     if (slot.stop < event.time) event = {slot.stop, pair, true};
+    if (slot.renew < event.time) event = {slot.renew, pair, false};
   }
   return event;
 }
@@ -140,6 +186,7 @@ bool advanceByEvents(WorldState& state, Index index, Real dt) {
   const IslandSlot& island = state.islands[at(index)];
   Workspace& work = state.work;
   work.set = island.bodies;
+  state.islands[at(index)].knocks = 0;
   if (!settle(state, index, 0, dt, true)) return false;
   // After so many events bodies stop bouncing; after as many again they go where they go.
   const std::size_t most =

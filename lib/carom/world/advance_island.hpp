@@ -6,6 +6,8 @@
 // bodies that this concerns are brought to that moment; impacts are resolved there, their contacts
 // are solved for what is left of the step, and only their pairs are searched again. At the end all
 // are at the end. A pair of balls in a gas of thousands costs a pair of balls.
+// A body that turns about an edge or a corner is an event sixteen times a step: the forces on it
+// change as it turns, and are found anew.
 // An island with more closed contacts than the settings allow is stepped at once instead: what
 // would meet within the step meets at its start, and its points are held apart until they can
 // touch.

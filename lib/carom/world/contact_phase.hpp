@@ -5,9 +5,10 @@
 // constant. So the contacts are solved once, for the velocities at the end of the time, and the
 // bodies move by the mean of the velocities at both ends. For a block that slides, a ball that
 // slips and anything that rests this is exact; otherwise its error goes with the square of the
-// step. For that the solver looks at the contacts as they will be: impulses act at the arms of the
-// middle of the time, and velocities are asked for at its end. Arms turn with the body whose corner
-// it is; a ball's arm stays below its middle.
+// step, and a body that turns about an edge takes short phases (advance_island.cpp). For that the
+// solver looks at the contacts as they will be: impulses act at the arms of the middle of the time,
+// and velocities are asked for at its end. Arms turn with the body whose corner it is; a ball's arm
+// stays below its middle, and on the line of both middles where two balls go round each other.
 // The end of slipping is found on the way: slip changes evenly, so its time is a division.
 // Source: the trapezoidal rule; Jean 1999 for contacts with a midpoint; stop times: chapter 5.
 // Not handled: that two balls go round each other on a circle. Here it is a parabola, which is off

@@ -127,8 +127,9 @@ struct PairSlot {
   std::array<Real, 4> force = {};  ///< along the normal, of each point [N]
   Vector3 rub = Vector3::Zero();   ///< friction on B [N, world]
   Real twist = 0;                  ///< its torque about the normal [N m]
-  Real next = std::numeric_limits<Real>::infinity();  ///< when it may meet, in this step [s]
-  Real stop = std::numeric_limits<Real>::infinity();  ///< when it stops slipping, in this step [s]
+  Real next = std::numeric_limits<Real>::infinity();   ///< when it may meet, in this step [s]
+  Real stop = std::numeric_limits<Real>::infinity();   ///< when it stops slipping, in this step [s]
+  Real renew = std::numeric_limits<Real>::infinity();  ///< when its forces are found anew [s]
 };
 
 /// Bodies that are joined by pairs. \ingroup world
@@ -137,6 +138,7 @@ struct IslandSlot {
   bool awake = true;       ///< whether it is stepped
   bool mustSplit = false;  ///< a pair has ended: it may be two by now
   int hardFor = 0;        ///< steps for which it is not tried by events: its contacts do not settle
+  int knocks = 0;         ///< impacts, and phases that did not settle, in this step
   bool unsorted = false;  ///< something was added
   bool still = false;     ///< its last step changed nothing, so neither will the next
   Index awakeAt = kNone;  ///< its place in the list of those awake
