@@ -162,7 +162,8 @@ Json rowOf(const std::string& suite, const EngineKind& kind, const Scene& scene,
            {"version", kind.version},
            {"dt", 1 / rate},
            {"threads", 1},
-           {"bodies", scene.bodies.size()}};
+           {"bodies", scene.bodies.size()},
+           {"duration", scene.duration}};
   int ends[2];
   if (pipe(ends) != 0) {
     row["failed"] = "no pipe";

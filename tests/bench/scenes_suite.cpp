@@ -47,46 +47,63 @@ const std::vector<Diagram> kDiagrams{
 
 constexpr Real kFloor = 1e-17;  // errors of zero have a place too
 
-void draw(const Diagram& diagram, const Json& rows, const std::filesystem::path& folder) {
-  struct Curve {
-    std::vector<Real> x, y;
-    int failed = 0;
-  };
+struct Curve {
+  std::vector<Real> x, y, failed;
+};
+
+// Error over time of each engine, and the time of each run that failed.
+std::map<std::string, Curve> curvesOf(const Diagram& diagram, const Json& rows, Real limit) {
   std::map<std::string, Curve> curves;
   for (const Json& row : rows) {
     if (row["scene"] != diagram.scene) continue;
     Curve& curve = curves[row["engine"].get<std::string>()];
-    if (row.contains("failed")) {
-      ++curve.failed;
+    const Json error = row.contains("error") ? row["error"][diagram.figure] : Json();
+    if (row.contains("failed") || !error.is_number()) {
+      // What took too long says no more than the limit.
+      curve.failed.push_back(row.value("ms_per_sim_s", 1000 * limit / row["duration"].get<Real>()));
       continue;
     }
-    const Json& error = row["error"][diagram.figure];
-    if (!error.is_number()) continue;
     curve.x.push_back(row["ms_per_sim_s"].get<Real>());
     curve.y.push_back(std::max(kFloor, std::abs(error.get<Real>())));
   }
+  return curves;
+}
+
+void draw(const Diagram& diagram, const Json& rows, Real limit,
+          const std::filesystem::path& folder) {
+  const std::map<std::string, Curve> curves = curvesOf(diagram, rows, limit);
   if (curves.empty()) return;
   carom::io::Plot plot(diagram.title);
   plot.describe(
       "Error against processor time per simulated second, both axes logarithmic; a mark "
-      "for each length of step. Lower and further left is better.");
+      "for each length of step. Lower and further left is better; marks on the upper edge are runs "
+      "that failed.");
   plot.size(980, 560).xAxis("processor time per simulated second [ms]",
                             carom::io::Scale::Logarithmic);
   plot.yAxis(diagram.axis, carom::io::Scale::Logarithmic);
   std::size_t number = 0;
-  Real low = 1e300, high = 0;
+  Real left = 1e300, right = 0, low = diagram.accepted, high = diagram.accepted;
   for (const auto& [name, curve] : curves) {
-    if (curve.x.empty()) continue;
+    for (const Real x : curve.x) left = std::min(left, x), right = std::max(right, x);
+    for (const Real x : curve.failed) left = std::min(left, x), right = std::max(right, x);
+    for (const Real y : curve.y) low = std::min(low, y), high = std::max(high, y);
+  }
+  // Room for those that failed, and for the lines that say where this was measured.
+  const Real edge = 100 * high;
+  for (const auto& [name, curve] : curves) {
     const bool peer = !name.starts_with("carom");
     carom::io::CurveStyle style = carom::bench::styleOf(number++, false);
     style.width = peer ? 1 : 3;
-    plot.curve(curve.failed > 0 ? name + " (failed: " + std::to_string(curve.failed) + ")" : name,
-               curve.x, curve.y, style);
-    for (const Real x : curve.x) low = std::min(low, x), high = std::max(high, x);
+    if (!curve.x.empty()) plot.curve(name, curve.x, curve.y, style);
+    if (curve.failed.empty()) continue;
+    style.line = false;
+    plot.curve(name + " fails", curve.failed, std::vector<Real>(curve.failed.size(), edge), style);
   }
-  if (high <= low) high = 2 * low;
-  plot.curve("excellent", {low, high}, {diagram.accepted, diagram.accepted},
+  if (right <= left) right = 2 * left;
+  plot.curve("excellent", {left, right}, {diagram.accepted, diagram.accepted},
              {.dashed = true, .width = 1, .color = carom::io::Color{30, 30, 30}});
+  plot.xRange(left / 2, 2 * right).yRange(low / 1e5, 3 * edge);
+  carom::bench::sign(plot, left / 1.5, low / 30, 0.05);
   plot.writeSvg(folder / diagram.file);
   std::cout << "wrote " << (folder / diagram.file).string() << '\n';
 }
@@ -130,6 +147,8 @@ int main(int argc, char** argv) {
   carom::bench::writeJson(options.common, figures);
   if (!options.common.plots.empty()) {
     std::filesystem::create_directories(options.common.plots);
-    for (const Diagram& diagram : kDiagrams) draw(diagram, rows, options.common.plots);
+    for (const Diagram& diagram : kDiagrams) {
+      draw(diagram, rows, options.limit, options.common.plots);
+    }
   }
 }

@@ -78,8 +78,12 @@ void draw(const Json& rows, const std::filesystem::path& folder) {
     plot.yAxis("processor time per simulated second [us]", carom::io::Scale::Logarithmic);
     std::size_t number = 0;
     for (const auto& [name, points] : curves) {
-      plot.curve(name, points.first, points.second, carom::bench::styleOf(number++, false));
+      carom::io::CurveStyle style = carom::bench::styleOf(number++, false);
+      style.width = name.starts_with("carom") ? 3 : 1;
+      plot.curve(name, points.first, points.second, style);
     }
+    plot.yRange(1, 3e8);
+    carom::bench::sign(plot, 12, 1.5e8, 0.35);
     plot.writeSvg(folder / ("skip_" + crowd + ".svg"));
   }
 }
