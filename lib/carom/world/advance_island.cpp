@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "carom/world/advance_pile.hpp"
 #include "carom/world/contact_phase.hpp"
 #include "carom/world/find_islands.hpp"
 #include "carom/world/islands.hpp"
@@ -268,6 +269,15 @@ bool isAsRemembered(const WorldState& state, const IslandSlot& island) {
   return island.hardFor == 0;
 }
 
+// Whether an island is solved by soft steps: many contacts, or so many bodies that plastic impacts
+// cannot be looked for one by one.
+bool isPile(const WorldState& state, const IslandSlot& island) {
+  if (closedPoints(state, island) > state.settings.pileContacts) return true;
+  if (static_cast<int>(island.bodies.size()) <= state.settings.pileBodies) return false;
+  return std::none_of(island.pairs.begin(), island.pairs.end(),
+                      [&](Index pair) { return state.pairs[at(pair)].restitution > 0; });
+}
+
 }  // namespace
 
 void advanceIsland(WorldState& state, Index index, Real dt) {
@@ -278,6 +288,11 @@ void advanceIsland(WorldState& state, Index index, Real dt) {
   }
   // Pairs of an island that was still until now have no manifold of this step yet.
   for (const Index pair : island.pairs) makeManifold(state, pair, 0, dt);
+  if (isPile(state, island)) {
+    advancePile(state, index, dt);
+    for (const Index body : island.bodies) moveBody(state, body, dt, true);
+    return;
+  }
   const bool isWatched = mayBeStill(state, island);
   if (isWatched) remember(state, island);
   const std::size_t impacts = state.impacts.size();

@@ -31,6 +31,9 @@ struct Counters {
   std::int64_t normalRows = 0;         ///< rows of contact set up
   std::int64_t frictionRows = 0;       ///< rows of friction set up
   std::int64_t rowsSolved = 0;         ///< rows times sweeps
+  std::int64_t pileBodies = 0;         ///< bodies of islands that took soft steps
+  std::int64_t pileContacts = 0;       ///< contacts of these
+  std::int64_t pileColors = 0;         ///< colours of the contacts, of the pile that has most
   std::int64_t firstContacts = 0;      ///< searches for a first contact
   std::int64_t impacts = 0;            ///< impacts resolved at their time
   std::int64_t slipChanges = 0;        ///< ends of slipping located

@@ -32,7 +32,7 @@ Index newIsland(WorldState& state) {
   IslandSlot& slot = state.islands[at(island)];
   slot.alive = slot.awake = true;
   slot.mustSplit = slot.unsorted = slot.still = false;
-  slot.hardFor = 0;
+  slot.hardFor = slot.newFor = 0;
   slot.awakeAt = static_cast<Index>(state.awakeIslands.size());
   state.awakeIslands.push_back(island);
   ++state.islandCount;

@@ -25,6 +25,14 @@ void requireUsable(const WorldSettings& settings) {
   if (settings.eventContacts < 0) {
     reject("eventContacts", std::to_string(settings.eventContacts), "must be zero or positive");
   }
+  if (settings.pileContacts < 0) {
+    reject("pileContacts", std::to_string(settings.pileContacts), "must be zero or positive");
+  }
+  if (settings.pileBodies < 0) {
+    reject("pileBodies", std::to_string(settings.pileBodies), "must be zero or positive");
+  }
+  requireAtLeastOne(settings.shortSteps, "shortSteps");
+  requireAtLeastOne(settings.threads, "threads");
   requirePositive(settings.contactMargin, "contactMargin");
   requirePositive(settings.touchTolerance, "touchTolerance");
   requirePositive(settings.restTolerance, "restTolerance");

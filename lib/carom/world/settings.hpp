@@ -35,6 +35,10 @@ struct WorldSettings {
   int iterations = 10;      ///< sweeps over the rows of an island, at least; positive
   int rowBudget = 100'000;  ///< sweeps go on until they change nothing, or this many rows
   int eventContacts = 64;   ///< islands with more closed contacts than this take no events
+  int pileContacts = 512;   ///< islands with more closed contacts than this are piles: soft steps
+  int pileBodies = 300;     ///< so are islands of more bodies that do not bounce
+  int shortSteps = 8;       ///< of a pile in a step; positive
+  int threads = 1;          ///< who work on piles; the result is the same for any number; positive
   int eventsPerBody =
       200;  ///< in one step; after that impacts are plastic, and then not looked for
   int maxBodies = 1'000'000;                                   ///< more are refused

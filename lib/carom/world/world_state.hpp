@@ -26,6 +26,7 @@
 #include "carom/world/counters.hpp"
 #include "carom/world/events.hpp"
 #include "carom/world/ids.hpp"
+#include "carom/world/pile.hpp"
 #include "carom/world/settings.hpp"
 
 namespace carom::world {
@@ -139,6 +140,7 @@ struct IslandSlot {
   bool mustSplit = false;  ///< a pair has ended: it may be two by now
   int hardFor = 0;        ///< steps for which it is not tried by events: its contacts do not settle
   int knocks = 0;         ///< impacts, and phases that did not settle, in this step
+  int newFor = 0;         ///< steps for which a pile is solved with more care: its load is new
   bool unsorted = false;  ///< something was added
   bool still = false;     ///< its last step changed nothing, so neither will the next
   Index awakeAt = kNone;  ///< its place in the list of those awake
@@ -214,6 +216,7 @@ struct WorldState {
   std::vector<ImpactEvent> impacts;      ///< of the last step
   std::size_t endedBefore = 0;           ///< events in `ended` that a user has had a step to read
   Workspace work;                        ///< nothing that lasts
+  Pile pile;                             ///< threads, and memory of piles
 };
 
 /// The number of points, bodies and so on as an index of an array. \param i any number

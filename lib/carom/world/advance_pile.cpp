@@ -1,0 +1,177 @@
+#include "carom/world/advance_pile.hpp"
+
+#include <algorithm>
+
+#include "carom/rotation/integrate_orientation.hpp"
+#include "carom/world/move_body.hpp"
+#include "carom/world/update_contacts.hpp"
+
+namespace carom::world {
+
+namespace {
+
+// Fewer bodies or contacts than this are not worth a second thread.
+constexpr std::size_t kFew = 64;
+
+// Bodies get numbers, those that contacts can move first; pairs with points become edges.
+void number(WorldState& state, const IslandSlot& island) {
+  Pile& pile = state.pile;
+  pile.members.assign(island.bodies.begin(), island.bodies.end());
+  for (std::size_t i = 0; i < pile.members.size(); ++i) {
+    state.bodies[at(pile.members[i])].local = static_cast<Index>(i);
+  }
+  pile.pairs.clear();
+  pile.edges.clear();
+  pile.counts.clear();
+  const auto numberOf = [&](Index index) {
+    BodySlot& body = state.bodies[at(index)];
+    const bool known = body.local >= 0 && at(body.local) < pile.members.size() &&
+                       pile.members[at(body.local)] == index;
+    if (!known) {
+      body.local = static_cast<Index>(pile.members.size());
+      pile.members.push_back(index);
+    }
+    return body.local;
+  };
+  for (const Index index : island.pairs) {
+    const PairSlot& pair = state.pairs[at(index)];
+    if (pair.manifold.count == 0) continue;
+    pile.pairs.push_back(index);
+    pile.edges.push_back({numberOf(pair.bodyA), numberOf(pair.bodyB)});
+    pile.counts.push_back(static_cast<std::uint8_t>(pair.manifold.count));
+  }
+}
+
+// A body as the solver sees it, and what forces and its own turning add to its velocity.
+void describeBody(WorldState& state, std::size_t i, Real dt, int shortSteps) {
+  Pile& pile = state.pile;
+  const BodySlot& body = state.bodies[at(pile.members[i])];
+  Velocity gain;
+  if (isDynamic(body)) {
+    gain.linear = dt * freeAcceleration(state, body);
+    if (!body.turnsEvenly && state.settings.gyroscopic &&
+        body.velocity.angular != Vector3::Zero()) {
+      gain.angular = turnedRate(body, dt) - body.velocity.angular;
+    }
+    if (body.torque != Vector3::Zero()) {
+      gain.angular += dt * (body.mass.inverseInertia * body.torque);
+    }
+  }
+  pile.steps.setBody(i, {body.mass, body.velocity}, gain, shortSteps);
+}
+
+void describeContact(WorldState& state, std::size_t place, Real duration) {
+  Pile& pile = state.pile;
+  const Index contact = pile.steps.contactAt(place);
+  if (contact < 0) return;
+  const PairSlot& pair = state.pairs[at(pile.pairs[at(contact)])];
+  const Vector3& a = state.bodies[at(pair.bodyA)].position;
+  const Vector3& b = state.bodies[at(pair.bodyB)].position;
+  const bool warm = state.settings.warmStarting;
+  SoftContact soft;
+  soft.normal = pair.manifold.normal;
+  soft.count = pair.manifold.count;
+  for (int i = 0; i < soft.count; ++i) {
+    const ManifoldPoint& from = pair.manifold.points[at(i)];
+    SoftPoint& point = soft.points[at(i)];
+    point.armA = from.position - a;
+    point.armB = from.position - b;
+    point.separation = from.separation;
+    if (warm) point.force = pair.force[at(i)];
+  }
+  soft.friction = pair.friction;
+  soft.restitution = pair.restitution;
+  if (warm) {
+    soft.rub = pair.rub;
+    soft.twist = pair.twist;
+  }
+  pile.steps.setContact(place, soft, duration);
+}
+
+void storeForces(WorldState& state, std::size_t place, Real duration) {
+  Pile& pile = state.pile;
+  const Index contact = pile.steps.contactAt(place);
+  if (contact < 0) return;
+  PairSlot& pair = state.pairs[at(pile.pairs[at(contact)])];
+  const SoftForces forces = pile.steps.contact(place, duration);
+  pair.force = forces.normal;
+  pair.rub = forces.rub;
+  pair.twist = forces.twist;
+  pair.sticks = forces.sticks;
+}
+
+// Whether most of what touches carries nothing yet: it was put there, or has just come to lie. A
+// load then has to find its way through the whole pile, which takes more visits.
+bool isNew(const WorldState& state) {
+  std::size_t touching = 0, carrying = 0;
+  for (const Index index : state.pile.pairs) {
+    const PairSlot& pair = state.pairs[at(index)];
+    for (int i = 0; i < pair.manifold.count; ++i) {
+      if (!isClosed(state, pair, i)) continue;
+      ++touching;
+      carrying += pair.force[at(i)] > 0 ? 1 : 0;
+    }
+  }
+  return 2 * carrying < touching;
+}
+
+}  // namespace
+
+void advancePile(WorldState& state, Index index, Real dt) {
+  Pile& pile = state.pile;
+  IslandSlot& island = state.islands[at(index)];
+  number(state, island);
+  constexpr int kNewFor = 12, kRelaxations = 20;
+  if (isNew(state)) island.newFor = kNewFor;
+  const SoftSettings settings{.shortSteps = state.settings.shortSteps,
+                              .relaxations = island.newFor > 0 ? kRelaxations : 1,
+                              .slowestBounce = state.settings.gravity.norm() * dt};
+  const Real duration = dt / settings.shortSteps;
+  KeptThreads& threads = threadsOf(pile, state.settings.threads);
+  island.newFor = std::max(0, island.newFor - 1);
+  pile.steps.begin(pile.members.size(), island.bodies.size(), RowNumbers::floats);
+  threads.loop(pile.members.size(), kFew, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) describeBody(state, i, dt, settings.shortSteps);
+  });
+  pile.steps.place(pile.edges, pile.counts);
+  threads.loop(pile.steps.places(), kFew, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) describeContact(state, i, duration);
+  });
+  const SoftCounts counts = pile.steps.run(settings, dt, threads);
+  state.counters.pileBodies += static_cast<std::int64_t>(island.bodies.size());
+  state.counters.pileContacts += static_cast<std::int64_t>(pile.pairs.size());
+  state.counters.pileColors = std::max<std::int64_t>(state.counters.pileColors, counts.colors);
+  state.counters.rowsSolved += counts.rows;
+  threads.loop(pile.steps.places(), kFew, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) storeForces(state, i, duration);
+  });
+  // What no contact has moved is left to the closed form; anchors are shared, so that comes after.
+  for (std::size_t i = 0; i < island.bodies.size(); ++i) {
+    BodySlot& body = state.bodies[at(island.bodies[i])];
+    body.byEnd = false;
+    body.isFree = !pile.steps.body(i).touched;
+    if (!body.isFree) {
+      dropAnchor(state, body);
+      continue;
+    }
+    body.acceleration = freeAcceleration(state, body);
+    body.turning = Vector3::Zero();
+  }
+  threads.loop(island.bodies.size(), kFew, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      BodySlot& body = state.bodies[at(island.bodies[i])];
+      if (body.isFree) continue;
+      const SoftMotion motion = pile.steps.body(i);
+      body.position += motion.way;
+      if (motion.turn != Vector3::Zero()) {
+        body.orientation = integrateOrientation(body.orientation, motion.turn, 1);
+      }
+      body.velocity = motion.velocity;
+      body.acceleration = body.turning = Vector3::Zero();
+      body.clock = dt;
+      refreshPose(body);
+    }
+  });
+}
+
+}  // namespace carom::world
