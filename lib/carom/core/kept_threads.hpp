@@ -10,6 +10,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <type_traits>
 
 namespace carom {
 
@@ -18,6 +19,7 @@ class KeptThreads {
  public:
   /// Starts threads. \param count in all, the caller included; positive
   explicit KeptThreads(int count = 1);
+  /// Ends the threads.
   ~KeptThreads();
   KeptThreads(const KeptThreads&) = delete;
   KeptThreads& operator=(const KeptThreads&) = delete;

@@ -17,6 +17,7 @@
 
 namespace carom {
 
+/// \cond
 namespace detail {
 
 // The attribute is lost if the type stands in a class that is overloaded on (g++ 12).
@@ -26,6 +27,7 @@ struct LaneVector {
 };
 
 }  // namespace detail
+/// \endcond
 
 /// N numbers side by side; N a power of two that the machine has registers for. \ingroup core
 template <class T, int N>

@@ -101,10 +101,14 @@ struct SoftCounts {
 /// Soft steps, with memory that is kept from one step to the next. \ingroup solver
 class SoftSteps {
  public:
+  /// Without memory as yet.
   SoftSteps();
+  /// Releases everything.
   ~SoftSteps();
-  SoftSteps(SoftSteps&&) noexcept;
-  SoftSteps& operator=(SoftSteps&&) noexcept;
+  /// Moves memory; the old one may only be destroyed. \param other is emptied
+  SoftSteps(SoftSteps&& other) noexcept;
+  /// Moves memory; the old one may only be destroyed. \param other is emptied \return this
+  SoftSteps& operator=(SoftSteps&& other) noexcept;
 
   /// Begins anew. \param bodies how many there are \param movable so many of them, the first, can
   /// be moved by contacts \param numbers what rows are made of

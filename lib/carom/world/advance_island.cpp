@@ -94,7 +94,7 @@ Real endOfPhase(const WorldState& state, std::span<const Index> pairs, Real time
     for (int i = 0; i < pair.manifold.count; ++i) closed += isClosed(state, pair, i) ? 1 : 0;
     points += closed;
     if (closed == 0) continue;
-    for (const auto [shape, body] :
+    for (const auto& [shape, body] :
          {std::pair(pair.shapeA, pair.bodyA), {pair.shapeB, pair.bodyB}}) {
       const ShapeSlot& slot = state.shapes[at(shape)];
       const BodySlot& owner = state.bodies[at(body)];
