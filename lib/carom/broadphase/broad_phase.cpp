@@ -129,6 +129,8 @@ void BroadPhase::touch(std::int32_t body) {
 constexpr std::int64_t kShare = 6;
 constexpr std::int32_t kSweepUpTo = 500;  // bodies; above, a grid compares fewer
 constexpr std::int64_t kMostBig = 16;     // bodies that each would be compared with all
+constexpr std::size_t kMostScanned = 16;  // bodies that are compared with all
+constexpr std::int32_t kScans = 2;        // updates after one that searched through all
 constexpr std::int32_t kGridRest = 64;    // updates, where it had too many big ones
 
 // Whether no two bodies that may move can be a pair.
@@ -154,6 +156,7 @@ PairSearch BroadPhase::chooseSearch() {
     }
   }
   if (search == PairSearch::trees) return search;
+  scansLeft_ = kScans;
   gatherAll();
   if (search == PairSearch::sweep) {
     sweep_.update(boxes_);
@@ -165,6 +168,17 @@ PairSearch BroadPhase::chooseSearch() {
     return PairSearch::trees;
   }
   return search;
+}
+
+// Few bodies, right after all were searched through without a tree: comparing them with all costs
+// less than to bring the tree up to date, which the next update may not need.
+bool BroadPhase::mayScan() {
+  if (settings_.search != PairSearch::chosen || !isStale_ || scansLeft_ == 0) return false;
+  if (moved_.size() > kMostScanned) return false;
+  --scansLeft_;
+  ++counters_.byScan;
+  gatherAll();
+  return true;
 }
 
 // All bodies and their boxes, without gaps.

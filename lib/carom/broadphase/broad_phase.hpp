@@ -8,7 +8,8 @@
 // How those that left find partners (PairSearch): if they are fewer than a sixth of all, each asks
 // the trees. If more, the pairs of all are found anew, which costs less for each: by a sweep up to
 // 500 bodies, by a grid above, unless more than 16 bodies are too big for its cells. The trees then
-// wait until they are asked for. The same pairs come out, whichever way.
+// wait until they are asked for; a few bodies that leave their boxes right after that are compared
+// with all. The same pairs come out, whichever way.
 // Why only those that left: in a pile at rest nobody does, and the update costs nothing.
 // Source: the moved list and the fat boxes of Box2D (Catto, 2009; GDC 2019).
 // Not handled: whether the shapes touch (detection), which pairs should not (the caller's `accept`).
@@ -66,6 +67,7 @@ struct BroadPhaseCounters {
   std::int64_t byTrees = 0;  ///< updates in which bodies asked the trees
   std::int64_t bySweep = 0;  ///< updates that swept through all
   std::int64_t byGrid = 0;   ///< updates that put all into a grid
+  std::int64_t byScan = 0;   ///< updates in which few bodies were compared with all
   std::int64_t rebuilt = 0;  ///< trees made anew
 };
 
@@ -184,6 +186,7 @@ class BroadPhase {
   PairSearch chooseSearch();
   bool areStrangers() const;
   bool asksMoving(bool strangers) const;
+  bool mayScan();
   void updateTrees(bool movesToo);
   void orderMoved();
   void refreshTree() const;
@@ -206,6 +209,7 @@ class BroadPhase {
   std::uint32_t family_ = 0;         // of the first body that may move
   std::int32_t familySize_ = 0;      // how many that may move are of it
   std::int32_t gridRests_ = 0;       // updates until a grid is tried again
+  std::int32_t scansLeft_ = 0;       // updates that may still do without a tree
   std::vector<std::int32_t> moved_;  // bodies that left their boxes, are new, or were touched
   mutable std::vector<std::int32_t> items_;  // some bodies, and their boxes
   mutable std::vector<Aabb<3>> boxes_;
@@ -221,7 +225,8 @@ void BroadPhase::update(Accept&& accept) {
   if (moved_.empty()) return sortEvents();
   const bool strangers = areStrangers();
   const PairSearch search = strangers ? PairSearch::trees : chooseSearch();
-  updateTrees(search == PairSearch::trees && asksMoving(strangers));
+  const bool scans = search == PairSearch::trees && !strangers && mayScan();
+  updateTrees(search == PairSearch::trees && !scans && asksMoving(strangers));
 
   // Old pairs of those that moved: do they still meet?
   for (const std::int32_t body : moved_) {
@@ -256,6 +261,16 @@ void BroadPhase::update(Accept&& accept) {
         if (other == body || (bodies_[other].isListed && other < body)) return;
         found(body, other);
       };
+      if (scans) {
+        for (std::size_t i = 0; i < items_.size(); ++i) {
+          ++counters_.tested;
+          if (!meets(boxes_[i], bodies_[body].box) || items_[i] == body) continue;
+          if (bodies_[items_[i]].isListed && items_[i] < body) continue;
+          if (bodies_[items_[i]].isImmovable && bodies_[body].isImmovable) continue;
+          found(body, items_[i]);
+        }
+        continue;
+      }
       if (!strangers || bodies_[body].isImmovable) {
         counters_.visited += moving_.overlap(bodies_[body].box, met);
       }

@@ -236,7 +236,7 @@ void remember(WorldState& state, const IslandSlot& island) {
   work.pairsBefore.clear();
   for (const Index index : island.bodies) {
     const BodySlot& body = state.bodies[at(index)];
-    work.bodiesBefore.push_back({body.position, body.orientation, body.velocity});
+    work.bodiesBefore.push_back({body.position, body.orientation, body.velocity, body.turning});
   }
   for (const Index index : island.pairs) {
     const PairSlot& pair = state.pairs[at(index)];
@@ -254,7 +254,7 @@ bool isAsRemembered(const WorldState& state, const IslandSlot& island) {
     const Quaternion &q = body.orientation, &p = before.orientation;
     if (body.anchor || body.position != before.position || q.w != p.w || q.x != p.x || q.y != p.y ||
         q.z != p.z || body.velocity.linear != before.velocity.linear ||
-        body.velocity.angular != before.velocity.angular) {
+        body.velocity.angular != before.velocity.angular || body.turning != before.turning) {
       return false;
     }
   }

@@ -116,10 +116,31 @@ void solveNow(WorldState& state, Real scale) {
   state.counters.rowsSolved += solvePatches(work.moving, work.blocks, limits).rows;
 }
 
-void takeVelocities(WorldState& state, std::span<const Index> bodies) {
+// Whether pressure cannot turn a body: it is a ball about its middle.
+bool isRound(const WorldState& state, const BodySlot& body) {
+  if (body.shapes.size() != 1) return false;
+  const ShapeSlot& shape = state.shapes[at(body.shapes[0])];
+  return shape.centred && shape.data->isBall;
+}
+
+// What rounding makes of arms and normals is no spin: a ball that nothing rubs does not turn.
+void takeVelocities(WorldState& state, std::span<const Index> bodies,
+                    std::span<const Index> pairs) {
+  std::vector<std::uint8_t>& isRubbed = state.work.flags;
+  isRubbed.assign(state.work.members.size(), 0);
+  for (const Index index : pairs) {
+    const PairSlot& pair = state.pairs[at(index)];
+    if (!(pair.friction > 0)) continue;
+    for (const Index body : {pair.bodyA, pair.bodyB}) {
+      isRubbed[at(state.bodies[at(body)].local)] = 1;
+    }
+  }
   for (const Index index : bodies) {
     BodySlot& body = state.bodies[at(index)];
-    const Velocity& after = state.work.moving[at(body.local)].velocity;
+    Velocity after = state.work.moving[at(body.local)].velocity;
+    if (isRubbed[at(body.local)] == 0 && isRound(state, body)) {
+      after.angular = body.velocity.angular;
+    }
     if (after.angular != body.velocity.angular) dropAnchor(state, body);
     body.velocity = after;
   }
@@ -177,7 +198,7 @@ bool resolveImpacts(WorldState& state, std::span<const Index> bodies, std::span<
   } else {
     stopAll(state, pairs, time, seen.fastest);
   }
-  takeVelocities(state, bodies);
+  takeVelocities(state, bodies, pairs);
   return true;
 }
 
@@ -208,7 +229,7 @@ void resolveAtOnce(WorldState& state, std::span<const Index> bodies, std::span<c
   if (fastest == 0) return;
   solveNow(state, fastest);
   reportSolved(state, 0);
-  takeVelocities(state, bodies);
+  takeVelocities(state, bodies, pairs);
 }
 
 }  // namespace carom::world

@@ -140,9 +140,9 @@ bool makeRoom(WorldState& state, const PairSlot& pair, Index striking, Index str
   // As fast as a blow in the middle makes what stood; and no farther than a few neighbours.
   const Real parts = isDynamic(fast) ? fast.weight / (fast.weight + slow.weight) : 1;
   const Real blow =
-      (1 + pair.restitution) * parts * std::max(fast.velocity.linear.norm() * dt, fast.struck);
+      (1 + pair.restitution) * parts * (fast.asleep ? 0 : std::max(fast.way, fast.struck));
   const Real thrown = std::min(blow, 2 * slow.reach);
-  const Real room = std::max(slow.velocity.linear.norm() * dt, slow.struck);
+  const Real room = std::max(slow.way, slow.struck);
   if (thrown <= room + state.settings.contactMargin) return false;
   slow.struck = thrown;
   slow.kept = false;
@@ -160,44 +160,63 @@ bool isKept(const WorldState& state, const PairSlot& pair) {
   return pair.known && isKept(state.bodies[at(pair.bodyA)]) && isKept(state.bodies[at(pair.bodyB)]);
 }
 
-// Blows go on through the pairs that there are. Returns whether a body got more room.
-bool makeRooms(WorldState& state, Real dt) {
+// What a pair gives room to. Bodies that got some are listed.
+void makeRoomIn(WorldState& state, const PairSlot& pair, Real dt) {
+  if (isKept(state, pair)) return;
+  if (!meets(state.shapes[at(pair.shapeA)].swept, state.shapes[at(pair.shapeB)].swept)) return;
+  std::vector<Index>& struck = state.work.set;
+  if (makeRoom(state, pair, pair.bodyA, pair.bodyB, dt)) struck.push_back(pair.bodyB);
+  if (makeRoom(state, pair, pair.bodyB, pair.bodyA, dt)) struck.push_back(pair.bodyA);
+}
+
+// Blows go on through the pairs that there are, from those in the list on. Returns whether a body
+// got more room.
+bool makeRooms(WorldState& state, std::span<const Index> first, Real dt) {
+  Workspace& work = state.work;
+  work.set.clear();
+  for (const Index pair : first) makeRoomIn(state, state.pairs[at(pair)], dt);
+  const bool any = !work.set.empty();
+  // Only who got room can hand it on.
   constexpr int kMost = 8;
-  for (int round = 0; round < kMost; ++round) {
-    bool more = false;
-    for (const Index index : state.awakePairs) {
-      const PairSlot& pair = state.pairs[at(index)];
-      if (isKept(state, pair)) continue;
-      if (!meets(state.shapes[at(pair.shapeA)].swept, state.shapes[at(pair.shapeB)].swept)) {
-        continue;
+  for (int round = 0; round < kMost && !work.set.empty(); ++round) {
+    work.setPairs.clear();
+    for (const Index body : work.set) {
+      for (const Index shape : state.bodies[at(body)].shapes) {
+        state.broadPhase.pairs().forEachOf(
+            shape, [&](std::int32_t pair, std::int32_t) { work.setPairs.push_back(pair); });
       }
-      more = makeRoom(state, pair, pair.bodyA, pair.bodyB, dt) || more;
-      more = makeRoom(state, pair, pair.bodyB, pair.bodyA, dt) || more;
     }
-    if (!more) return round > 0;
+    work.set.clear();
+    for (const Index pair : work.setPairs) makeRoomIn(state, state.pairs[at(pair)], dt);
   }
-  return true;
+  return any;
 }
 
 }  // namespace
 
 void updatePairs(WorldState& state, Real dt) {
+  Workspace& work = state.work;
   for (const Index index : state.awakeBodies) {
     BodySlot& body = state.bodies[at(index)];
     body.clock = 0;
     body.kept = body.struck == 0 && body.island != kNone && state.islands[at(body.island)].still;
     if (body.kept) continue;
     body.struck = 0;
+    body.way = body.velocity.linear.norm() * dt;
     moveBoxes(state, index, dt);
   }
   // What is struck may meet others that it would not have come near by itself; and these, others.
   // The pairs of the last step know most of it: then pairs are looked for once.
   const bool strikes = state.settings.locateEvents;
-  if (strikes) makeRooms(state, dt);
+  if (strikes) makeRooms(state, state.awakePairs, dt);
   findPairs(state);
   constexpr int kMost = 8;
   for (int round = 0; strikes && round < kMost; ++round) {
-    if (state.broadPhase.begun().empty() || !makeRooms(state, dt)) break;
+    work.innerPairs.clear();
+    for (const BroadPhase::Event& begun : state.broadPhase.begun()) {
+      work.innerPairs.push_back(begun.slot);
+    }
+    if (!makeRooms(state, work.innerPairs, dt)) break;
     findPairs(state);
   }
 }

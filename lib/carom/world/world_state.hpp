@@ -76,6 +76,7 @@ struct BodySlot {
   bool turnsEvenly = true;            ///< three equal moments, or the switch says so
   bool isFree = false;                ///< nothing touches it in this part of the step
   Real struck = 0;        ///< how far it may be thrown in this step by what strikes it [m]
+  Real way = 0;           ///< how far its speed takes it in this step [m]
   bool byEnd = false;     ///< moves by its velocity at the end of the step
   bool kept = false;      ///< its island is still, and its boxes are those of the last step
   Index island = kNone;   ///< where it belongs; none: alone, or not dynamic
@@ -160,6 +161,7 @@ struct BodyBefore {
   Vector3 position = Vector3::Zero();  ///< centre of mass [m, world]
   Quaternion orientation;              ///< inner frame to world
   Velocity velocity;                   ///< [world]
+  Vector3 turning = Vector3::Zero();   ///< by which phases are divided [rad/s^2, world]
 };
 
 /// Of a pair what one step hands on to the next. \ingroup world

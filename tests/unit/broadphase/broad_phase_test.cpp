@@ -138,6 +138,31 @@ TEST_CASE("bodies of one family are no pairs, and strangers do not look for each
   CHECK(crowd.counters().tested - before <= 2000);  // old pairs, and the search
 }
 
+TEST_CASE("few that move right after all have moved do not bring the tree up to date") {
+  const int bodies = 100;
+  BroadPhase phase;
+  for (int body = 0; body < bodies; ++body) {
+    phase.add(body, unitBoxAt(2 * body, 0, 0), Mobility::moving);
+  }
+  phase.update();
+  for (int body = 0; body < bodies; ++body) phase.move(body, unitBoxAt(2 * body, 3, 0));
+  phase.update();
+  const BroadPhaseCounters before = phase.counters();
+  phase.move(7, unitBoxAt(12.5, 3, 0));
+  phase.update();
+  CHECK(phase.counters().byScan == before.byScan + 1);
+  CHECK(phase.counters().byTrees == before.byTrees);
+  CHECK(phase.counters().visited == before.visited);
+  CHECK(phase.counters().tested <= before.tested + bodies + 1);
+  CHECK(phase.pairs().sorted() == std::vector<IndexPair>{IndexPair{6, 7}});
+  // Who goes on so has the tree.
+  for (int k = 0; k < 3; ++k) {
+    phase.move(9, unitBoxAt(18, 6 + 3 * k, 0));
+    phase.update();
+  }
+  CHECK(phase.counters().byTrees > before.byTrees);
+}
+
 TEST_CASE("the search is chosen by how many bodies move, and how many there are") {
   const auto searches = [](int count, int every) {
     std::vector<Aabb<3>> boxes = gasBoxes(count, 17);

@@ -419,3 +419,21 @@ TEST_CASE("thousands of calls in any order never break a world") {
     CHECK(inside(world.bodies(), body));
   }
 }
+
+TEST_CASE("a ball that nothing rubs is not turned by blows, not even by rounding") {
+  for (const Real friction : {0.0, 0.3}) {
+    World world(weightless());
+    const BodyId moving = addBall(world, 0.3,
+                                  {.position = {-1, 0.21, 0.13},
+                                   .velocity = {7, 0.1, 0.3},
+                                   .friction = friction,
+                                   .restitution = 1});
+    const BodyId struck =
+        addBall(world, 0.3, {.position = {0, 0, 0}, .friction = friction, .restitution = 1});
+    run(world, 30);
+    CHECK(world.velocity(struck).norm() > 1);
+    for (const BodyId ball : {moving, struck}) {
+      CHECK((world.angularVelocity(ball) == Vector3::Zero()) == (friction == 0));
+    }
+  }
+}
