@@ -12,7 +12,7 @@
 #include <immintrin.h>
 #endif
 
-#include "grading/seam.hpp"
+#include "grading/pipe_end.hpp"
 
 namespace carom::grading {
 
@@ -23,32 +23,10 @@ std::map<std::string, Handler>& handlers() {
 
 namespace {
 
-void readAll(char* data, std::size_t size) {
-  while (size > 0) {
-    const ssize_t got = read(3, data, size);
-    if (got <= 0) _exit(0);  // the grader has gone
-    data += got;
-    size -= static_cast<std::size_t>(got);
-  }
-}
-
-struct PipeChannel : Channel {
-  void send(const std::string& bytes) override {
-    const auto size = static_cast<std::uint32_t>(bytes.size());
-    std::string all(reinterpret_cast<const char*>(&size), sizeof size);
-    all += bytes;
-    for (std::size_t done = 0; done < all.size();) {
-      const ssize_t put = write(4, all.data() + done, all.size() - done);
-      if (put <= 0) _exit(0);
-      done += static_cast<std::size_t>(put);
-    }
-  }
-  std::string receive() override {
-    std::uint32_t size = 0;
-    readAll(reinterpret_cast<char*>(&size), sizeof size);
-    std::string bytes(size, '\0');
-    readAll(bytes.data(), size);
-    return bytes;
+// A grader that has gone has no more questions.
+class Grader : public PipeEnd {
+  [[noreturn]] void gone(bool) override {
+    _exit(0);
   }
 };
 
@@ -91,6 +69,6 @@ std::string answer(const std::string& question, Channel& channel) {
 }  // namespace carom::grading
 
 int main() {
-  carom::grading::PipeChannel channel;
+  carom::grading::Grader channel;
   for (;;) channel.send(carom::grading::answer(channel.receive(), channel));
 }

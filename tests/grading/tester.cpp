@@ -7,7 +7,6 @@
 
 #include <unistd.h>
 
-#include <cerrno>
 #include <csignal>
 #include <iostream>
 #include <nlohmann/json.hpp>
@@ -16,7 +15,7 @@
 #define CATCH_CONFIG_EXTERNAL_INTERFACES
 #endif
 #include "carom/core/errors.hpp"
-#include "grading/seam.hpp"
+#include "grading/pipe_end.hpp"
 #include "support/catch.hpp"
 #include "support/catch_main.hpp"
 #if CAROM_CATCH_MAJOR >= 3
@@ -50,38 +49,23 @@ void report(const json& event) {
 }
 
 // The client's end. A version that does not answer is ended by its own limits, and the pipe with it.
-class Function : public Channel {
+class Function : public PipeEnd {
  public:
   void send(const std::string& bytes) override {
     ++calls;
-    const auto size = static_cast<std::uint32_t>(bytes.size());
-    std::string all(reinterpret_cast<const char*>(&size), sizeof size);
-    all += bytes;
-    for (std::size_t done = 0; done < all.size();) {
-      const ssize_t put = write(4, all.data() + done, all.size() - done);
-      if (put <= 0) throw SubmissionStopped("the function has stopped");
-      done += static_cast<std::size_t>(put);
-    }
+    PipeEnd::send(bytes);
   }
   std::string receive() override {
-    std::uint32_t size = 0;
-    readAll(reinterpret_cast<char*>(&size), sizeof size);
-    std::string bytes(size, '\0');
-    readAll(bytes.data(), size);
+    const std::string bytes = PipeEnd::receive();
     // Nothing that a case can help.
     functionMissing |= !bytes.empty() && bytes[0] == static_cast<char>(Message::notAttempted);
     return bytes;
   }
 
  private:
-  void readAll(char* data, std::size_t size) {
-    while (size > 0) {
-      const ssize_t got = read(3, data, size);
-      if (got < 0 && errno == EINTR) continue;
-      if (got <= 0) throw SubmissionStopped("the function crashed or never ended");
-      data += got;
-      size -= static_cast<std::size_t>(got);
-    }
+  [[noreturn]] void gone(bool sending) override {
+    throw SubmissionStopped(sending ? "the function has stopped"
+                                    : "the function crashed or never ended");
   }
 };
 

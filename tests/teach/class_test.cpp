@@ -15,6 +15,7 @@
 #include "runner/records.hpp"
 #include "runner/skeleton.hpp"
 #include "teach/archives.hpp"
+#include "teach/run_as.hpp"
 #include "teach/sample.hpp"
 
 using namespace carom::runner;
@@ -57,19 +58,7 @@ std::string product(const std::string& body) {
 
 void git(const fs::path& folder, std::vector<std::string> words) {
   words.insert(words.begin(), "git");
-  carom::grading::Command command;
-  command.words = words;
-  command.directory = folder.string();
-  command.environment = {"GIT_AUTHOR_NAME=cem",
-                         "GIT_AUTHOR_EMAIL=cem@example.org",
-                         "GIT_COMMITTER_NAME=cem",
-                         "GIT_COMMITTER_EMAIL=cem@example.org",
-                         "GIT_CONFIG_GLOBAL=/dev/null",
-                         "GIT_AUTHOR_DATE=2026-12-03T12:00:00Z",
-                         "GIT_COMMITTER_DATE=2026-12-03T12:00:00Z"};
-  const auto done = carom::grading::run(command);
-  INFO(done.output);
-  REQUIRE(done.ok());
+  carom_test::runAs({"cem", "2026-12-03T12:00:00Z"}, words, folder);
 }
 
 // The class and its course, made once for all tests, and removed at the end.

@@ -6,9 +6,9 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "grading/process.hpp"
 #include "runner/failure.hpp"
 #include "teach/archives.hpp"
+#include "teach/run_as.hpp"
 
 using namespace carom::runner;
 using carom_test::ContainsSubstring;
@@ -80,19 +80,7 @@ void checkRefused(const Submission& s, const char* why) {
 }
 
 void run(const std::vector<std::string>& words, const fs::path& folder) {
-  carom::grading::Command command;
-  command.words = words;
-  command.directory = folder.string();
-  command.environment = {"GIT_AUTHOR_NAME=ann",
-                         "GIT_AUTHOR_EMAIL=ann@example.org",
-                         "GIT_COMMITTER_NAME=ann",
-                         "GIT_COMMITTER_EMAIL=ann@example.org",
-                         "GIT_CONFIG_GLOBAL=/dev/null",
-                         "GIT_AUTHOR_DATE=2026-11-30T12:00:00Z",
-                         "GIT_COMMITTER_DATE=2026-11-30T12:00:00Z"};
-  const auto done = carom::grading::run(command);
-  INFO(done.output);
-  REQUIRE(done.ok());
+  carom_test::runAs({"ann", "2026-11-30T12:00:00Z"}, words, folder);
 }
 
 void makeRepository(const fs::path& folder) {
