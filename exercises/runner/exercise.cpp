@@ -17,7 +17,7 @@ const std::set<std::string> kKeys = {"id",       "title",   "kind", "level", "mi
                                      "geometry", "program", "uses", "order", "tests"};
 const std::set<std::string> kCheckKeys = {"title", "points", "wrong", "read"};
 const std::set<std::string> kTestCheckKeys = {"title", "points", "read", "catches", "slipped"};
-const std::set<std::string> kWrongKeys = {"says", "read", "check"};
+const std::set<std::string> kWrongKeys = {"says", "read", "check", "also"};
 
 struct Ini {
   CSimpleIniA ini{true, false, false};
@@ -124,7 +124,7 @@ Exercise readExercise(const fs::path& folder, std::vector<std::string>& problems
     } else if (what == "wrong") {
       in.onlyKeys(name, kWrongKeys);
       Wrong wrong{rest, in.text(name, "says", true), in.text(name, "read", false),
-                  in.text(name, "check", true)};
+                  in.text(name, "check", true), words(in.text(name, "also", false))};
       if (wrong.read.empty()) wrong.read = e.read;
       e.wrong.push_back(wrong);
     } else if (what == "hint") {
@@ -148,10 +148,14 @@ Exercise readExercise(const fs::path& folder, std::vector<std::string>& problems
     }
   }
   for (const auto& wrong : e.wrong) {
-    const auto known = [&](const Check& c) { return c.name == wrong.check; };
-    if (std::none_of(e.checks.begin(), e.checks.end(), known)) {
-      problems.push_back(in.file + ": misconception '" + wrong.name +
-                         "' names the unknown check '" + wrong.check + "'");
+    std::vector<std::string> named = wrong.also;
+    named.push_back(wrong.check);
+    for (const auto& check : named) {
+      const auto known = [&](const Check& c) { return c.name == check; };
+      if (std::none_of(e.checks.begin(), e.checks.end(), known)) {
+        problems.push_back(in.file + ": misconception '" + wrong.name +
+                           "' names the unknown check '" + check + "'");
+      }
     }
   }
   return e;

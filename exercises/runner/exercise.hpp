@@ -1,6 +1,7 @@
 #pragma once
 // What an exercise is: the facts of its exercise.ini, and where its files are.
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <vector>
@@ -30,7 +31,12 @@ struct Wrong {
   std::string name;
   std::string says;  ///< what was misunderstood, in a sentence
   std::string read;
-  std::string check;  ///< the check that must fail on it
+  std::string check;              ///< the check that must fail on it
+  std::vector<std::string> also;  ///< what else may fail with it, because it leans on the same
+  /// Whether a check is its own or one of those.
+  bool mayFail(const std::string& name) const {
+    return name == check || std::find(also.begin(), also.end(), name) != also.end();
+  }
 };
 
 struct Exercise {

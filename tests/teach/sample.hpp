@@ -21,14 +21,13 @@ void writeMixture(const std::vector<const carom::runner::Exercise*>& which, int 
 
 /// What came out otherwise than it should when the class of writeVersions() was graded, in
 /// sentences: a right version that has not all points, a skeleton that has some, a wrong one that
-/// has all, that passes its own check, or that is not named.
+/// has all, that passes its own check, loses one that the catalogue does not name, or is not named.
 struct Verdict {
   std::vector<std::string> problems;
-  std::vector<std::string> others;  ///< wrong versions that lose further checks than their own
   int right = 0;
   int skeletons = 0;
   int wrong = 0;
-  int onlyTheirs = 0;  ///< wrong versions that lose exactly their check
+  int alone = 0;  ///< of these, those whose catalogue names a single check
 };
 Verdict judge(const std::vector<const carom::runner::Exercise*>& which,
               const carom::runner::Records& records);

@@ -32,10 +32,9 @@ int main(int argc, char** argv) {
     }
     const auto verdict = carom_test::judge(which, readRecords(words[3]));
     for (const auto& problem : verdict.problems) std::cout << "PROBLEM  " << problem << "\n";
-    for (const auto& other : verdict.others) std::cout << "also     " << other << "\n";
     std::cout << verdict.right << " right versions, " << verdict.skeletons << " skeletons, "
-              << verdict.wrong << " wrong versions, of which " << verdict.onlyTheirs
-              << " lose exactly their check; " << verdict.problems.size() << " problems\n";
+              << verdict.wrong << " wrong versions (" << verdict.alone
+              << " with a single check to lose); " << verdict.problems.size() << " problems\n";
     return verdict.problems.empty() ? 0 : 1;
   } catch (const Failure& failure) {
     std::cerr << failure.message << "\n";
