@@ -85,7 +85,8 @@ Real endOfPhase(const WorldState& state, std::span<const Index> pairs, Real time
   constexpr int kFewPoints = 8;
   constexpr Real kShortest = 1.0 / 16;  // of the step [1]
   constexpr Real kTurn = 1e-5;          // in a phase, before there are more of them [rad]
-  if (!state.settings.trapezoidal) return dt;
+  // Where the error chooses the steps they are short enough, and must differ in nothing else.
+  if (!state.settings.trapezoidal || state.longSteps) return dt;
   int points = 0;
   Real rate = 0;
   for (const Index index : pairs) {
@@ -183,18 +184,19 @@ void setOfPair(WorldState& state, const IslandSlot& island, const PairSlot& pair
 }
 
 // Returns false if the contacts do not settle; then nothing but velocities has changed.
-bool advanceByEvents(WorldState& state, Index index, Real dt) {
+bool advanceByEvents(WorldState& state, Index index, Real start, Real dt, int& events) {
   const IslandSlot& island = state.islands[at(index)];
   Workspace& work = state.work;
   work.set = island.bodies;
   state.islands[at(index)].knocks = 0;
-  if (!settle(state, index, 0, dt, true)) return false;
+  if (!settle(state, index, start, dt, true)) return false;
   // After so many events bodies stop bouncing; after as many again they go where they go.
   const std::size_t most =
       static_cast<std::size_t>(state.settings.eventsPerBody) * (island.bodies.size() + 1);
   for (std::size_t count = 0; count < 2 * most; ++count) {
     const Event event = nextEvent(state, island);
     if (!(event.time < dt)) break;
+    ++events;
     PairSlot& pair = state.pairs[at(event.pair)];
     setOfPair(state, island, pair);
     for (const Index body : work.set) moveBody(state, body, event.time);
@@ -207,12 +209,14 @@ bool advanceByEvents(WorldState& state, Index index, Real dt) {
   return true;
 }
 
-void advanceAtOnce(WorldState& state, Index index, Real dt) {
+void advanceAtOnce(WorldState& state, Index index, Real start, Real end) {
   const IslandSlot& island = state.islands[at(index)];
-  resolveAtOnce(state, island.bodies, island.pairs, dt);
-  solvePhase(
-      state,
-      {.bodies = island.bodies, .pairs = island.pairs, .start = 0, .end = dt, .speculative = true});
+  resolveAtOnce(state, island.bodies, island.pairs, start, end - start);
+  solvePhase(state, {.bodies = island.bodies,
+                     .pairs = island.pairs,
+                     .start = start,
+                     .end = end,
+                     .speculative = true});
 }
 
 // Whether it is worth the while to look if a step changes anything: nothing is fast, and nothing
@@ -280,18 +284,20 @@ bool isPile(const WorldState& state, const IslandSlot& island) {
 
 }  // namespace
 
-void advanceIsland(WorldState& state, Index index, Real dt) {
+IslandRun advanceIsland(WorldState& state, Index index, Real start, Real end) {
+  IslandRun run;
   IslandSlot& island = state.islands[at(index)];
   if (island.still) {
     ++state.counters.islandsStill;
-    return;
+    return run;
   }
   // Pairs of an island that was still until now have no manifold of this step yet.
-  for (const Index pair : island.pairs) makeManifold(state, pair, 0, dt);
+  for (const Index pair : island.pairs) makeManifold(state, pair, start, end - start);
   if (isPile(state, island)) {
-    advancePile(state, index, dt);
-    for (const Index body : island.bodies) moveBody(state, body, dt, true);
-    return;
+    advancePile(state, index, start, end);
+    for (const Index body : island.bodies) moveBody(state, body, end, true);
+    run.isPile = true;
+    return run;
   }
   const bool isWatched = mayBeStill(state, island);
   if (isWatched) remember(state, island);
@@ -299,17 +305,18 @@ void advanceIsland(WorldState& state, Index index, Real dt) {
   if (state.settings.projectPositions) projectPositions(state, island.bodies, island.pairs);
   // An island whose contacts do not settle is not tried again in each step.
   constexpr int kHardFor = 60;
-  bool byEvents = state.settings.locateEvents && island.hardFor == 0 &&
-                  closedPoints(state, island) <= state.settings.eventContacts;
+  run.byEvents = state.settings.locateEvents && island.hardFor == 0 &&
+                 closedPoints(state, island) <= state.settings.eventContacts;
   island.hardFor = std::max(0, island.hardFor - 1);
-  if (byEvents && !advanceByEvents(state, index, dt)) {
+  if (run.byEvents && !advanceByEvents(state, index, start, end, run.events)) {
     island.hardFor = kHardFor;
-    byEvents = false;
+    run.byEvents = false;
   }
-  if (!byEvents) advanceAtOnce(state, index, dt);
-  for (const Index body : island.bodies) moveBody(state, body, dt, true);
-  if (state.settings.projectPositions) projectRounds(state, island.bodies, island.pairs, dt);
+  if (!run.byEvents) advanceAtOnce(state, index, start, end);
+  for (const Index body : island.bodies) moveBody(state, body, end, true);
+  if (state.settings.projectPositions) projectRounds(state, island.bodies, island.pairs, end);
   island.still = isWatched && state.impacts.size() == impacts && isAsRemembered(state, island);
+  return run;
 }
 
 }  // namespace carom::world

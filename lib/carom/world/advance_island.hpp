@@ -21,8 +21,18 @@
 
 namespace carom::world {
 
-/// Steps an island. \param state of the world, manifolds made at the start of the step
-/// \param island that is awake \param dt length of the step [s] \ingroup world
-void advanceIsland(WorldState& state, Index island, Real dt);
+/// How an island came through.
+/// \ingroup world
+struct IslandRun {
+  bool byEvents = false;  ///< false: stepped at once
+  bool isPile = false;    ///< stepped by soft steps
+  int events = 0;         ///< things that happened after the start
+};
+
+/// Steps an island. \param state of the world, the island's manifolds made at the start
+/// \param island that is awake, its bodies all at the time `start`
+/// \param start in this step [s] \param end in this step, later [s]
+/// \return how it went \ingroup world
+IslandRun advanceIsland(WorldState& state, Index island, Real start, Real end);
 
 }  // namespace carom::world

@@ -117,7 +117,8 @@ bool isNew(const WorldState& state) {
 
 }  // namespace
 
-void advancePile(WorldState& state, Index index, Real dt) {
+void advancePile(WorldState& state, Index index, Real start, Real end) {
+  const Real dt = end - start;
   Pile& pile = state.pile;
   IslandSlot& island = state.islands[at(index)];
   number(state, island);
@@ -168,7 +169,7 @@ void advancePile(WorldState& state, Index index, Real dt) {
       }
       body.velocity = motion.velocity;
       body.acceleration = body.turning = Vector3::Zero();
-      body.clock = dt;
+      body.clock = end;
       refreshPose(body);
     }
   });

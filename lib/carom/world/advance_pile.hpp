@@ -13,7 +13,8 @@
 namespace carom::world {
 
 /// Advances an island by soft steps. \param state of the world \param island its number
-/// \param dt length of the step [s] \ingroup world
-void advancePile(WorldState& state, Index island, Real dt);
+/// \param start in this step, at which its bodies are [s] \param end in this step, later [s]
+/// \ingroup world
+void advancePile(WorldState& state, Index island, Real start, Real end);
 
 }  // namespace carom::world

@@ -83,7 +83,7 @@ void moveArms(const WorldState& state, const PairSlot& pair, std::uint32_t id,
 }  // namespace
 
 Real slowSpeed(const WorldState& state) {
-  return state.settings.shortestBounce * state.lastStep * state.settings.gravity.norm() / 2 + 1e-12;
+  return state.slowestImpact;
 }
 
 Real partingSpeed(const WorldState& state, const PairSlot& pair, int point) {

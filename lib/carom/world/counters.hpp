@@ -42,6 +42,11 @@ struct Counters {
   std::int64_t islandsSplit = 0;       ///< islands looked through because a contact had ended
   std::int64_t islandsWoken = 0;       ///< islands that woke
   std::int64_t islandsPutToSleep = 0;  ///< islands that fell asleep
+  std::int64_t macroSteps = 0;         ///< searches for pairs while the world advances
+  std::int64_t subSteps = 0;           ///< steps of islands while the world advances, all tries
+  std::int64_t triesRefused = 0;       ///< tries of islands taken back: too wrong
+  std::int64_t macroStepsCut = 0;      ///< long steps taken back: a body left its box
+  std::int64_t triesForced = 0;        ///< tries that were too wrong and too short to cut
 };
 
 }  // namespace carom::world

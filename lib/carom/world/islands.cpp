@@ -33,6 +33,7 @@ Index newIsland(WorldState& state) {
   slot.alive = slot.awake = true;
   slot.mustSplit = slot.unsorted = slot.still = false;
   slot.hardFor = slot.newFor = 0;
+  slot.subStep = 0;
   slot.awakeAt = static_cast<Index>(state.awakeIslands.size());
   state.awakeIslands.push_back(island);
   ++state.islandCount;

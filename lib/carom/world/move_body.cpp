@@ -21,15 +21,7 @@ bool needsRotor(const WorldState& state, const BodySlot& body) {
 RotorAnchor& anchorOf(WorldState& state, BodySlot& body) {
   if (!body.anchor) {
     const RotorState now{body.orientation, body.pose.R_WB.transpose() * body.velocity.angular};
-    RotorAnchor anchor{FreeRotor(body.moments, now)};
-    if (state.freeAnchors.empty()) {
-      body.anchor = state.anchors.size();
-      state.anchors.push_back(anchor);
-    } else {
-      body.anchor = state.freeAnchors.back();
-      state.freeAnchors.pop_back();
-      state.anchors[*body.anchor] = anchor;
-    }
+    giveAnchor(state, body, RotorAnchor{FreeRotor(body.moments, now)});
   }
   return state.anchors[*body.anchor];
 }
@@ -127,6 +119,17 @@ void moveBody(WorldState& state, Index index, Real time, bool last) {
     refreshPose(body);
   } else {
     body.pose.p_WB = body.position;
+  }
+}
+
+void giveAnchor(WorldState& state, BodySlot& body, const RotorAnchor& anchor) {
+  if (state.freeAnchors.empty()) {
+    body.anchor = state.anchors.size();
+    state.anchors.push_back(anchor);
+  } else {
+    body.anchor = state.freeAnchors.back();
+    state.freeAnchors.pop_back();
+    state.anchors[*body.anchor] = anchor;
   }
 }
 

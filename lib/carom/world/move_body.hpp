@@ -44,6 +44,10 @@ BodyState bodyAt(WorldState& state, Index index, Real time);
 /// \ingroup world
 void moveBody(WorldState& state, Index index, Real time, bool last = false);
 
+/// Lets a body turn freely from a moment on. \param state of the world \param body without an
+/// anchor \param anchor to give it \ingroup world
+void giveAnchor(WorldState& state, BodySlot& body, const RotorAnchor& anchor);
+
 /// Forgets that a body turned freely: something has changed its rotation.
 /// \param state of the world \param body whose \ingroup world
 void dropAnchor(WorldState& state, BodySlot& body);

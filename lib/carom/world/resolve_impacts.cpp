@@ -31,7 +31,7 @@ Approach approachOf(const WorldState& state, std::span<const Index> pairs, bool 
       const Real speed = -partingSpeed(state, pair, i);
       if (speed <= slow) continue;
       seen.fastest = std::max(seen.fastest, speed);
-      if (bounce && pair.restitution * speed > slow) {
+      if (bounce && pair.restitution * speed > state.slowestBounce) {
         seen.restitution = std::max(seen.restitution, pair.restitution);
       }
     }
@@ -58,7 +58,8 @@ void listContacts(WorldState& state, std::span<const Index> pairs) {
     for (int i = 0; i < pair.manifold.count; ++i) {
       if (!isClosed(state, pair, i)) continue;
       const PatchPoint arms = armsOf(state, pair, i);
-      const bool bounces = pair.restitution * std::abs(partingSpeed(state, pair, i)) > slow;
+      const bool bounces =
+          pair.restitution * std::abs(partingSpeed(state, pair, i)) > state.slowestBounce;
       BodyContact contact;
       contact.bodyA = state.bodies[at(pair.bodyA)].local;
       contact.bodyB = state.bodies[at(pair.bodyB)].local;
@@ -203,7 +204,7 @@ bool resolveImpacts(WorldState& state, std::span<const Index> bodies, std::span<
 }
 
 void resolveAtOnce(WorldState& state, std::span<const Index> bodies, std::span<const Index> pairs,
-                   Real dt) {
+                   Real time, Real dt) {
   const Real slow = slowSpeed(state);
   Real fastest = 0;
   gather(state, bodies, pairs);
@@ -220,7 +221,8 @@ void resolveAtOnce(WorldState& state, std::span<const Index> bodies, std::span<c
       if (speed < point.target - slow) {
         fastest = std::max(fastest, -speed);
         ++state.counters.impacts;
-        if (-pair.restitution * speed > slow) point.target = -pair.restitution * speed;
+        if (-pair.restitution * speed > state.slowestBounce)
+          point.target = -pair.restitution * speed;
       }
       addPoint(one, i, point);
     }
@@ -228,7 +230,7 @@ void resolveAtOnce(WorldState& state, std::span<const Index> bodies, std::span<c
   }
   if (fastest == 0) return;
   solveNow(state, fastest);
-  reportSolved(state, 0);
+  reportSolved(state, time);
   takeVelocities(state, bodies, pairs);
 }
 

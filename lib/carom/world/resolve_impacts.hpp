@@ -29,8 +29,9 @@ bool resolveImpacts(WorldState& state, std::span<const Index> bodies, std::span<
 /// Takes away the approach of all points that would meet within the step, as if they met at its
 /// start: for sets in which no events are looked for. \param state of the world
 /// \param bodies dynamic ones; their velocities are changed \param pairs with fresh manifolds
-/// \param dt length of the step [s] \ingroup world
+/// \param time in this step, for the events [s] \param dt what is left of the step [s]
+/// \ingroup world
 void resolveAtOnce(WorldState& state, std::span<const Index> bodies, std::span<const Index> pairs,
-                   Real dt);
+                   Real time, Real dt);
 
 }  // namespace carom::world

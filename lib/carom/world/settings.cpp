@@ -37,6 +37,7 @@ void requireUsable(const WorldSettings& settings) {
   requirePositive(settings.touchTolerance, "touchTolerance");
   requirePositive(settings.restTolerance, "restTolerance");
   requireNonNegative(settings.shortestBounce, "shortestBounce");
+  requirePositive(settings.shortestSubStep, "shortestSubStep");
   requirePositive(settings.sleepTime, "sleepTime");
   requirePositive(settings.sleepSpeed, "sleepSpeed");
   requirePositive(settings.sleepDistance, "sleepDistance");

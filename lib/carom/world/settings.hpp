@@ -41,7 +41,9 @@ struct WorldSettings {
   int threads = 1;          ///< who work on piles; the result is the same for any number; positive
   int eventsPerBody =
       200;  ///< in one step; after that impacts are plastic, and then not looked for
-  int maxBodies = 1'000'000;                                   ///< more are refused
+  bool extrapolation = true;    ///< advance: combine tries of different steps into a better one
+  Real shortestSubStep = 1e-5;  ///< advance: islands are stepped no finer; positive [s]
+  int maxBodies = 1'000'000;    ///< more are refused
   RestitutionRule restitutionRule = RestitutionRule::maximum;  ///< how two bounces become one
 
   Real contactMargin = 0.01;   ///< surfaces nearer than this are watched; positive [m]

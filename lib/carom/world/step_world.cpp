@@ -10,8 +10,6 @@
 
 namespace carom::world {
 
-namespace {
-
 void beginStep(WorldState& state, Real dt) {
   state.counters = Counters();
   state.begun.clear();
@@ -24,7 +22,13 @@ void beginStep(WorldState& state, Real dt) {
     for (const Index island : state.awakeIslands) state.islands[at(island)].still = false;
   }
   state.lastStep = dt;
+  // What would be over within the shortest time.
+  const Real gravity = state.settings.gravity.norm();
+  state.slowestImpact = state.settings.shortestBounce * dt * gravity / 2 + 1e-12;
+  state.slowestBounce = state.slowestImpact;
 }
+
+namespace {
 
 // Bodies that no pair holds, and those that only their own velocity moves.
 void advanceFree(WorldState& state, Real dt) {
@@ -37,6 +41,8 @@ void advanceFree(WorldState& state, Real dt) {
     ++state.counters.bodiesFree;
   }
 }
+
+}  // namespace
 
 void reportContacts(WorldState& state) {
   for (const Index index : state.awakePairs) {
@@ -71,8 +77,6 @@ void countBodies(WorldState& state) {
   counters.pairsAsleep = state.broadPhase.pairs().size() - counters.pairsAwake;
 }
 
-}  // namespace
-
 void stepWorld(WorldState& state, Real dt) {
   beginStep(state, dt);
   updatePairs(state, dt);
@@ -80,7 +84,7 @@ void stepWorld(WorldState& state, Real dt) {
   splitIslands(state);
   countBodies(state);
   // Kinematic bodies last: islands ask where they are at any time of the step.
-  for (const Index island : state.awakeIslands) advanceIsland(state, island, dt);
+  for (const Index island : state.awakeIslands) advanceIsland(state, island, 0, dt);
   advanceFree(state, dt);
   reportContacts(state);
   sleepIslands(state, dt);

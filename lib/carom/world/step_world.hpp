@@ -16,6 +16,17 @@
 
 namespace carom::world {
 
+/// Forgets what the last step counted and told of. \param state of the world
+/// \param dt length of the step [s] \ingroup world
+void beginStep(WorldState& state, Real dt);
+
+/// Tells of contacts that have begun and ended, all events in order. \param state of the world
+/// \ingroup world
+void reportContacts(WorldState& state);
+
+/// Counts who is awake. \param state of the world \ingroup world
+void countBodies(WorldState& state);
+
 /// Moves everything on. \param state of the world \param dt length of the step, positive [s]
 /// \ingroup world
 void stepWorld(WorldState& state, Real dt);

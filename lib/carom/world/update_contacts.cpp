@@ -137,11 +137,12 @@ bool makeRoom(WorldState& state, const PairSlot& pair, Index striking, Index str
   const BodySlot& fast = state.bodies[at(striking)];
   BodySlot& slow = state.bodies[at(struck)];
   if (!isDynamic(slow) || slow.asleep || fast.kind == BodyKind::immovable) return false;
-  // As fast as a blow in the middle makes what stood; and no farther than a few neighbours.
+  // As fast as a blow in the middle makes what stood; and no farther than a few neighbours, unless
+  // the step is a long one, in which nobody asks again.
   const Real parts = isDynamic(fast) ? fast.weight / (fast.weight + slow.weight) : 1;
   const Real blow =
       (1 + pair.restitution) * parts * (fast.asleep ? 0 : std::max(fast.way, fast.struck));
-  const Real thrown = std::min(blow, 2 * slow.reach);
+  const Real thrown = state.longSteps ? blow : std::min(blow, 2 * slow.reach);
   const Real room = std::max(slow.way, slow.struck);
   if (thrown <= room + state.settings.contactMargin) return false;
   slow.struck = thrown;

@@ -14,6 +14,7 @@
 #include "carom/rotation/quaternion_to_matrix.hpp"
 #include "carom/rotation/renormalize.hpp"
 #include "carom/world/add_body.hpp"
+#include "carom/world/advance_world.hpp"
 #include "carom/world/islands.hpp"
 #include "carom/world/move_body.hpp"
 #include "carom/world/step_world.hpp"
@@ -221,6 +222,12 @@ bool World::asleep(BodyId id) const {
 void World::step(Real dt) {
   requirePositive(dt, "dt");
   stepWorld(*state_, dt);
+}
+
+void World::advance(Real duration, Real tolerance) {
+  requirePositive(duration, "duration");
+  requirePositive(tolerance, "tolerance");
+  advanceWorld(*state_, duration, tolerance);
 }
 
 Real World::time() const {

@@ -7,7 +7,7 @@
 // inside the step; a contact that does not change is integrated by the mean of its velocities;
 // slipping that ends, ends at its time.
 // Bad input is refused with InvalidInput, and the world is as it was.
-// Not handled: joints; threads (one world belongs to one thread at a time); steps chosen by error.
+// Not handled: joints; threads (one world belongs to one thread at a time).
 
 #include <cstdint>
 #include <memory>
@@ -142,6 +142,13 @@ class World {
   /// Moves everything on. \param dt positive [s]
   /// \throws InvalidInput if dt is not positive and finite
   void step(Real dt);
+  /// Moves everything on by steps chosen so that the error stays below a tolerance: each island
+  /// takes its own. Counters and events are those of the whole time; impacts count from its start.
+  /// \param duration positive [s]
+  /// \param tolerance of positions, and of points at a metre from the centre by orientations, at
+  /// the end; positive [m]
+  /// \throws InvalidInput if one of them is not positive and finite
+  void advance(Real duration, Real tolerance);
   /// Time since the world was made. \return [s]
   Real time() const;
 

@@ -144,6 +144,7 @@ struct IslandSlot {
   int newFor = 0;         ///< steps for which a pile is solved with more care: its load is new
   bool unsorted = false;  ///< something was added
   bool still = false;     ///< its last step changed nothing, so neither will the next
+  Real subStep = 0;       ///< what its error asks for while the world advances; 0: not known [s]
   Index awakeAt = kNone;  ///< its place in the list of those awake
   std::vector<Index> bodies;  ///< dynamic ones, ascending
   std::vector<Index> pairs;   ///< pairs that hold it together, and those with immovable bodies
@@ -172,6 +173,15 @@ struct PairBefore {
   bool sticks = false;             ///< friction held it
 };
 
+/// What of a body a try changes that may be taken back. \ingroup world
+struct SavedBody {
+  Vector3 position = Vector3::Zero();  ///< [m, world]
+  Quaternion orientation;              ///< inner frame to world
+  Velocity velocity;                   ///< [world]
+  Real clock = 0;                      ///< time in this step [s]
+  std::optional<RotorAnchor> anchor;   ///< of its free rotation, itself
+};
+
 /// Memory that stages use again in each step. \ingroup world
 struct Workspace {
   std::vector<MovingBody> moving;        ///< bodies as the solver sees them
@@ -188,6 +198,11 @@ struct Workspace {
   std::vector<Index> contactPairs;       ///< whose
   std::vector<BodyBefore> bodiesBefore;  ///< of an island that may be still
   std::vector<PairBefore> pairsBefore;   ///< of the same
+  std::vector<SavedBody> tryBodies;    ///< bodies before a try
+  std::vector<PairSlot> tryPairs;      ///< pairs before a try
+  std::vector<SavedBody> macroBodies;  ///< bodies before a long step
+  std::vector<PairSlot> macroPairs;    ///< pairs before a long step
+  std::vector<SavedBody> ends;         ///< where tries have ended
 };
 
 /// Everything. \ingroup world
@@ -212,6 +227,10 @@ struct WorldState {
   Real time = 0;                         ///< since the beginning [s]
   Real lostTime = 0;                     ///< what rounding took from it [s]
   Real lastStep = 0;                     ///< length of the last step [s]
+  Real slowestImpact = 0;                ///< points that approach more slowly just touch [m/s]
+  Real slowestBounce = 0;                ///< what parts more slowly does not part [m/s]
+  bool longSteps = false;                ///< what is struck may go farther than a few neighbours
+  Real macroStep = 0;                    ///< of the last advance; 0: none yet [s]
   Counters counters;                     ///< of the last step
   std::vector<ContactEvent> begun;       ///< of the last step
   std::vector<ContactEvent> ended;       ///< of the last step
