@@ -6,7 +6,6 @@
 
 #include "carom/detection/bounds.hpp"
 #include "carom/motion/careful_sum.hpp"
-#include "carom/motion/extrapolation.hpp"
 #include "carom/rotation/conjugate.hpp"
 #include "carom/rotation/hamilton_product.hpp"
 #include "carom/rotation/integrate_orientation.hpp"
@@ -20,7 +19,7 @@ namespace carom::world {
 
 namespace {
 
-constexpr int kMostTries = 5;          // of one time, in 1, 2, ... steps
+constexpr int kMostTries = 6;          // of one time, in 1, 2, ... steps
 constexpr Real kUsualStep = 1.0 / 60;  // long steps are not cut below it for the sake of pairs [s]
 
 // What is wanted of a time.
@@ -135,10 +134,23 @@ Real sizeOf(const Difference& d, const BodySlot& body, const SavedBody& end, Rea
   return std::max(Real(0), std::max(way, turn) - noise);
 }
 
+// Weights of the ends of 1, 2, ..., m steps. They add up to one and take away what goes with the
+// second to the m-th power of the step: an island's steps are of second order and not symmetric, so
+// that odd powers are there as well (extrapolation.hpp has even ones alone).
+constexpr std::array<std::array<Real, kMostTries>, kMostTries + 1> kWeights{{
+    {},
+    {1.0},
+    {-1.0 / 3, 4.0 / 3},
+    {1.0 / 12, -4.0 / 3, 9.0 / 4},
+    {-1.0 / 60, 4.0 / 5, -81.0 / 20, 64.0 / 15},
+    {1.0 / 360, -16.0 / 45, 81.0 / 20, -512.0 / 45, 625.0 / 72},
+    {-1.0 / 2520, 8.0 / 63, -81.0 / 28, 1024.0 / 63, -15625.0 / 504, 648.0 / 35},
+}};
+
 // What the first `count` tries tend to for steps of no length, seen from the last of them.
 Difference tendency(const std::vector<SavedBody>& ends, std::size_t bodies, std::size_t body,
                     int count) {
-  const std::array<Real, kMostAnswers> weights = extrapolationWeights(count);
+  const std::array<Real, kMostTries>& weights = kWeights[at(count)];
   const SavedBody& last = ends[at(count - 1) * bodies + body];
   Difference sum;
   for (int k = 0; k + 1 < count; ++k)
@@ -223,7 +235,7 @@ Outcome tryTime(WorldState& state, const Group& group, const Goal& goal, Real st
     const Real error = errorOf(state, group, count, smooth, ahead);
     if (error <= most) {
       if (smooth) takeAnswer(state, group, count);
-      constexpr std::array<Real, kMostTries + 1> kFactors{0, 0, 3, 1.6, 1, 0.7};
+      constexpr std::array<Real, kMostTries + 1> kFactors{0, 0, 3, 2, 1.4, 1, 0.8};
       return {true, error == 0 ? 4 : smooth ? kFactors[at(count)] : 1};
     }
     if (!smooth || error > before / 4) break;
@@ -373,9 +385,10 @@ class Sharpened {
       : state_(state), touch_(state.settings.touchTolerance) {
     state.settings.touchTolerance = std::min(touch_, tolerance / 16);
     const Real gravity = state.settings.gravity.norm();
-    // A bounce at this speed rises a sixteenth of the tolerance.
-    state.slowestBounce = std::sqrt(gravity * tolerance / 8) + 1e-12;
-    state.slowestImpact = std::min(state.slowestBounce, tolerance) + 1e-12;
+    // A bounce at this speed rises a quarter of the tolerance. Below it steps must not have
+    // impacts, either: what their ends are off by would be one in some tries and none in others.
+    state.slowestBounce = std::sqrt(gravity * tolerance / 2) + 1e-12;
+    state.slowestImpact = state.slowestBounce;
     state.longSteps = true;
   }
   ~Sharpened() {

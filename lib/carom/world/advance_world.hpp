@@ -18,7 +18,7 @@
 // holds, or only bounces, is exact and goes in one. The error of a velocity counts for the time
 // that is left, and for a second at least.
 // A body that leaves its box could meet what its island does not know: then the long step is taken
-// back and cut. Bounces that rise less than a sixteenth of the tolerance are none: so bounces that
+// back and cut. Bounces that rise less than a quarter of the tolerance are none: so bounces that
 // follow each other ever faster end in rest.
 // Source: extrapolation of a constrained motion: Lubich, Mechanics of Structures and Machines 19,
 // 1991 (MEXX); choice of order: Deuflhard 1983; Hairer, Nørsett and Wanner I, II.9; error per time:
