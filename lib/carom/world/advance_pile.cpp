@@ -117,8 +117,8 @@ bool isNew(const WorldState& state) {
 
 }  // namespace
 
-void advancePile(WorldState& state, Index index, Real start, Real end) {
-  const Real dt = end - start;
+void advancePile(WorldState& state, Index index, Real start, Real until) {
+  const Real dt = until - start;
   Pile& pile = state.pile;
   IslandSlot& island = state.islands[at(index)];
   number(state, island);
@@ -169,7 +169,7 @@ void advancePile(WorldState& state, Index index, Real start, Real end) {
       }
       body.velocity = motion.velocity;
       body.acceleration = body.turning = Vector3::Zero();
-      body.clock = end;
+      body.clock = until;
       refreshPose(body);
     }
   });

@@ -13,8 +13,8 @@
 namespace carom::world {
 
 /// Advances an island by soft steps. \param state of the world \param island its number
-/// \param start in this step, at which its bodies are [s] \param end in this step, later [s]
+/// \param start in this step, at which its bodies are [s] \param until in this step, later [s]
 /// \ingroup world
-void advancePile(WorldState& state, Index island, Real start, Real end);
+void advancePile(WorldState& state, Index island, Real start, Real until);
 
 }  // namespace carom::world

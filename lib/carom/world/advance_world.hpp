@@ -24,7 +24,8 @@
 // 1991 (MEXX); choice of order: Deuflhard 1983; Hairer, Nørsett and Wanner I, II.9; error per time:
 // the same, II.4.
 // Not handled: motion in which errors grow by themselves (chaos), beyond the safety of the tries;
-// islands with more closed contacts than are taken by events converge slowly (settings.hpp).
+// islands with more closed contacts than are taken by events converge slowly, and piles are stepped
+// as ever (settings.hpp).
 
 #include "carom/world/world_state.hpp"
 

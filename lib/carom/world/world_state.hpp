@@ -198,11 +198,11 @@ struct Workspace {
   std::vector<Index> contactPairs;       ///< whose
   std::vector<BodyBefore> bodiesBefore;  ///< of an island that may be still
   std::vector<PairBefore> pairsBefore;   ///< of the same
-  std::vector<SavedBody> tryBodies;    ///< bodies before a try
-  std::vector<PairSlot> tryPairs;      ///< pairs before a try
-  std::vector<SavedBody> macroBodies;  ///< bodies before a long step
-  std::vector<PairSlot> macroPairs;    ///< pairs before a long step
-  std::vector<SavedBody> ends;         ///< where tries have ended
+  std::vector<SavedBody> tryBodies;      ///< bodies before a try
+  std::vector<PairSlot> tryPairs;        ///< pairs before a try
+  std::vector<SavedBody> macroBodies;    ///< bodies before a long step
+  std::vector<PairSlot> macroPairs;      ///< pairs before a long step
+  std::vector<SavedBody> ends;           ///< where tries have ended
 };
 
 /// Everything. \ingroup world
