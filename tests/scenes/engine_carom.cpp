@@ -115,7 +115,13 @@ std::vector<EngineKind> caromEngines() {
       caromWith("carom", "as it comes; sleeping only where the scene lets bodies sleep", {}, true),
       caromWith("carom no events", "impacts and ends of slipping are not located inside the step",
                 noEvents, false),
-      caromWith("carom skips nothing", "all pairs, nothing sleeps", skipsNothing)};
+      caromWith("carom skips nothing", "all pairs, nothing sleeps", skipsNothing),
+      caromWith("carom advance 1e-3", "steps chosen for an error of 1e-3 m over the scene", {},
+                false, 1e-3),
+      caromWith("carom advance 1e-6", "steps chosen for an error of 1e-6 m over the scene", {},
+                false, 1e-6),
+      caromWith("carom advance 1e-9", "steps chosen for an error of 1e-9 m over the scene", {},
+                false, 1e-9)};
 }
 
 }  // namespace carom::scenes
