@@ -1,0 +1,19 @@
+#include "carom/solver/soft_contact.hpp"
+
+#include <numbers>
+
+#include "carom/core/checks.hpp"
+
+namespace carom {
+
+SoftContact softContact(Real frequency, Real dampingRatio, Real dt) {
+  requirePositive(frequency, "frequency");
+  requireNonNegative(dampingRatio, "dampingRatio");
+  requirePositive(dt, "dt");
+  const Real w = 2 * std::numbers::pi * frequency;
+  const Real denominator = 2 * dampingRatio + dt * w;
+  const Real stiff = dt * w * denominator;
+  return {w / denominator, 1 / (1 + stiff), stiff / (1 + stiff)};
+}
+
+}  // namespace carom

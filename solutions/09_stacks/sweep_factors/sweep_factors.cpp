@@ -1,0 +1,38 @@
+// Exercise 09.sweep_factors: measure how much a sweep brings
+// Check it with: ./course check 09.sweep_factors
+
+#include "sweep_factors.hpp"
+
+#include <string>
+
+#include "carom/core/checks.hpp"
+#include "carom/core/todo.hpp"
+#include "carom/solver/box_column.hpp"
+#include "carom/solver/sequential_impulses.hpp"
+
+namespace carom {
+
+std::vector<SweepFactor> sweepFactors(std::span<const int> counts) {
+  for (const int n : counts) {
+    if (n < 2 || n > 200) reject("count", std::to_string(n), "must be from 2 to 200");
+  }
+  std::vector<SweepFactor> table;
+  //# solution
+  for (const int n : counts) {
+    BoxColumn column = boxColumn(std::vector<Real>(static_cast<std::size_t>(n), 1));
+    pullDown(column.bodies, -1);
+    sequentialImpulses(column.bodies, column.rows, n * n);
+    const Real before = n - column.rows[0].impulse;
+    sequentialImpulses(column.bodies, column.rows, 1);
+    const Real after = n - column.rows[0].impulse;
+    table.push_back({n, after / before});
+  }
+  return table;
+  //# stub
+  // boxColumn(masses) makes a tower: .bodies and .rows, of which rows[0] is at the ground.
+  // pullDown(bodies, -1) lets gravity act. sequentialImpulses(bodies, rows, sweeps) sweeps.
+  //#| return todo<std::vector<SweepFactor>>("sweepFactors");
+  //# end
+}
+
+}  // namespace carom
