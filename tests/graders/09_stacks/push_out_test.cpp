@@ -50,17 +50,17 @@ TEST_CASE("moving") {
 }
 
 TEST_CASE("share") {
-  ask(with(falling({1, 2}, 0), {-0.04, -0.02}, {0, 0}), 0.5, {0, 0.02, 0.03},
-      "4 and 2 cm deep, half of it");
-  ask(with(falling({1, 2}, 0), {-0.04, -0.02}, {0, 0}), 1, {0, 0.04, 0.06},
-      "4 and 2 cm deep, all of it");
+  ask(with(falling({1, 2}, 0.3), {-0.04, -0.02}, {0, 0}), 0.5, {0, 0.02, 0.03},
+      "4 and 2 cm deep, rising, half of it");
+  ask(with(falling({1, 2}, 0.3), {-0.04, -0.02}, {0, 0}), 1, {0, 0.04, 0.06},
+      "4 and 2 cm deep, rising, all of it");
 }
 
 TEST_CASE("gaps") {
-  ask(with(falling({1, 2}, 0), {-0.04, 0.01}, {0, 0}), 0.5, {0, 0.02, 0.01},
-      "1 cm of air between the boxes; the lower one is 4 cm deep");
-  ask(with(falling({1, 2}, 0), {-0.04, 0.03}, {0, 0}), 0.5, {0, 0.02, 0},
-      "3 cm of air: the upper box need not be moved");
+  ask(with(falling({1, 2}, 0.3), {-0.04, 0.01}, {0, 0}), 0.5, {0, 0.02, 0.01},
+      "1 cm of air between the boxes; the lower one is 4 cm deep, and both rise");
+  ask(with(falling({1, 2}, 0.3), {-0.04, 0.03}, {0, 0}), 0.5, {0, 0.02, 0},
+      "3 cm of air: the upper box need not be moved, and both rise");
 }
 
 TEST_CASE("refuses") {
