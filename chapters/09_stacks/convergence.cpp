@@ -70,7 +70,6 @@ int sweepsFor(BoxColumn column, Real bound) {
 int main(int argc, char** argv) {
   const std::filesystem::path folder = argc > 1 ? argv[1] : ".";
 
-  //! [table]
   const std::vector<int> counts = {2, 5, 10, 20, 40};
   carom::io::Table table;
   table.column("boxes").column("factor", carom::io::fixed(6));
@@ -82,7 +81,6 @@ int main(int argc, char** argv) {
     carom::sequentialImpulses(ten.bodies, ten.rows, 10);
     table.row({boxes, factor, c * c, ten.rows[0].impulse / boxes, sweepsFor(pulled(boxes), 1e-6)});
   }
-  //! [table]
   std::cout << "What the ground feels of a tower, cold\n\n" << table << '\n';
 
   // Ten boxes in other orders, and begun with other numbers.

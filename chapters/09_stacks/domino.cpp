@@ -45,7 +45,7 @@ Real firstHit() {
 
 int main(int argc, char** argv) {
   const std::filesystem::path folder = argc > 1 ? argv[1] : ".";
-  carom::world::World world;
+  carom::world::World world({.rowBudget = 4000});
   world.add({.kind = carom::world::BodyKind::immovable,
              .shapes = {{.shape = carom::makeHalfSpace(Vector3::UnitZ(), Vector3::Zero())}}});
   carom::io::Recording recording("Dominoes", "Thirty dominoes fall, one after the other.");

@@ -56,19 +56,20 @@ int main(int argc, char** argv) {
   for (const Real heavy : {1.0, 10.0, 100.0, 1000.0, 1e6}) {
     //! [judge]
     BoxColumn column = carom::boxColumn(std::vector<Real>{1, heavy});
-    carom::pullDown(column.bodies, -kGravity * kStep);
-    const carom::RowProblem problem = carom::rowProblem(column.bodies, column.rows);
-    const std::vector<Real> exact = carom::lcpSmall(problem.matrix, problem.speeds);
+    auto& [bodies, rows] = column;
+    carom::pullDown(bodies, -kGravity * kStep);
+    const auto [A, b] = carom::rowProblem(bodies, rows);
+    const std::vector<Real> exact = carom::lcpSmall(A, b);
     //! [judge]
     std::vector<Real> sweeps, errors;
     Real factor = 0, felt = 0;
     for (int n = 0; n <= 100; ++n) {
-      const Real error = (exact[0] - column.rows[0].impulse) / exact[0];
+      const Real error = (exact[0] - rows[0].impulse) / exact[0];
       if (n == 5) factor = error / errors.back();
-      if (n == 20) felt = column.rows[0].impulse / kStep;
+      if (n == 20) felt = rows[0].impulse / kStep;
       sweeps.push_back(n);
       errors.push_back(std::max(std::abs(error), 1e-12));
-      carom::sequentialImpulses(column.bodies, column.rows, 1);
+      carom::sequentialImpulses(bodies, rows, 1);
     }
     if (heavy < 1e6) plot.curve("M = " + std::to_string(int(heavy)) + " kg", sweeps, errors);
     table.row(

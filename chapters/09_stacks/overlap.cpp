@@ -33,24 +33,26 @@ struct Story {
 
 Story tell(Way way) {
   BoxColumn column = carom::boxColumn(std::vector<Real>{1});
-  ContactRow& row = column.rows[0];
-  carom::MovingBody& box = column.bodies[1];
+  auto& [bodies, rows] = column;
+  ContactRow& row = rows[0];
+  carom::MovingBody& box = bodies[1];
   row.separation = -kDeep;
   Story story;
   for (int n = 0; n < 60; ++n) {
     story.times.push_back(n * kStep);
     story.heights.push_back(1000 * row.separation);
-    carom::pullDown(column.bodies, -kGravity * kStep);
+    carom::pullDown(bodies, -kGravity * kStep);
     row.impulse = 0;
     //! [ways]
     row.target = -std::max(row.separation, Real(0)) / kStep;
     if (way == Way::baumgarte && row.separation < 0) {
       row.target = -kShare * row.separation / kStep;  // real speed
     }
-    carom::sequentialImpulses(column.bodies, column.rows, 4);
+    carom::sequentialImpulses(bodies, rows, 4);
     Real move = kStep * box.velocity.linear.z();
     if (way == Way::pseudoVelocities) {
-      move += carom::pushOut(column.bodies, column.rows, kShare, 4)[1].linear.z();
+      const auto moves = carom::pushOut(bodies, rows, kShare, 4);
+      move += moves[1].linear.z();
     }
     if (way == Way::projection) move = std::max(move, -row.separation);
     //! [ways]

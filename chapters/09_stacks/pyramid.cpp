@@ -62,7 +62,7 @@ int main(int argc, char** argv) {
   }
 
   //! [statics]
-  // From the top: a box hands half of its load to each of the two below.
+  // From the top: a box hands half of its load to both of those below.
   std::vector<Real> loads = {1};
   for (int row = kRows - 2; row >= 0; --row) {
     std::vector<Real> below(loads.size() + 1, 1);  // its own weight

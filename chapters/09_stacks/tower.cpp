@@ -39,15 +39,16 @@ struct Tower {
 };
 
 //! [sweeps]
-// A step with sweeps. A fifth of each overlap is taken away in a step, by
-// asking for speed (Baumgarte); a gap may be closed.
+// A step with sweeps. A part of each overlap is taken away in it, by
+// asking for speed (Baumgarte); a gap may be closed. Try a fifth.
 void stepWithSweeps(Tower& tower, bool warm) {
   auto& [bodies, rows] = tower.column;
   carom::pullDown(bodies, -kGravity * kStep);
   std::vector<carom::KeptImpulse> kept;
   for (carom::ContactRow& row : rows) {
     if (warm) kept.push_back({row.name, row.impulse});
-    row.target = -row.separation / (row.separation < 0 ? 5 * kStep : kStep);
+    const Real steps = row.separation < 0 ? 20 : 1;
+    row.target = -row.separation / (steps * kStep);
   }
   carom::warmStart(bodies, rows, kept, 1);
   carom::sequentialImpulses(bodies, rows, kSweeps);
@@ -60,16 +61,14 @@ void stepWithSweeps(Tower& tower, bool warm) {
 }
 //! [sweeps]
 
-//! [substeps]
 // Ten sub-steps have ten soft sweeps and ten rigid ones.
 void stepInParts(Tower& tower) {
-  const carom::SubstepPlan plan{.gravity = {0, 0, -kGravity},
-                                .dt = kStep,
-                                .count = kSweeps,
-                                .soft = carom::softContact(60, 5, kStep / kSweeps)};
-  carom::substep(tower.column.bodies, tower.column.rows, tower.moved, plan);
+  auto& [bodies, rows] = tower.column;
+  const carom::SoftContact soft = carom::softContact(60, 5, kStep / kSweeps);
+  const carom::SubstepPlan plan{
+      .gravity = {0, 0, -kGravity}, .dt = kStep, .count = kSweeps, .soft = soft};
+  carom::substep(bodies, rows, tower.moved, plan);
 }
-//! [substeps]
 
 Real heightOf(const Tower& tower, int box) {
   return box - 0.5 + tower.moved[static_cast<std::size_t>(box)].linear.z();
