@@ -116,7 +116,7 @@ PROBES() {
   Random random(910);
   for (int n = 0; n < 16; ++n) {
     const Real mass = random.between(1, 3);
-    const Real turning = random.between(-1, 1);
+    const Real turning = random.between(-8, 8);
     BoxColumn bar = barOnFeet(mass, {0, 0, -random.between(0.5, 1.5)}, turning);
     if (n % 4 == 1) bar.rows[0].target = random.between(-0.5, 0.5);
     PROBE(impulsesAfter(bar, 1 + n % 3));
