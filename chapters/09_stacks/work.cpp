@@ -133,7 +133,6 @@ int main(int argc, char** argv) {
         for (std::size_t i = 0; i < impulses.size(); ++i) {
           error = std::max(error, std::abs(impulses[i] - problem->exact[i]) / problem->exact[0]);
         }
-        if (error > 1e-6) enough = 0;
         if (error <= 1e-6 && enough == 0) enough = visits;
         if (visits > 20'000) return;
         visited.push_back(visits);
