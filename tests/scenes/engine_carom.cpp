@@ -59,7 +59,8 @@ class CaromEngine : public Engine {
             figure("slip changes", c.slipChanges),     figure("exact rotations", c.exactRotations),
             figure("projections", c.projections),      figure("long steps", c.macroSteps),
             figure("sub-steps", c.subSteps),           figure("tries refused", c.triesRefused),
-            figure("tries forced", c.triesForced),     figure("long steps cut", c.macroStepsCut)};
+            figure("tries forced", c.triesForced),     figure("long steps cut", c.macroStepsCut),
+            figure("islands direct", c.islandsDirect), figure("factorisations", c.factorisations)};
   }
 
  private:

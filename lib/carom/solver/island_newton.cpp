@@ -14,6 +14,9 @@ namespace {
 // fewer digits of the masses are left beside the springs. Here half of the digits are each one's.
 constexpr Real kSoftness = 1e-8;
 
+// What of the speeds that impulses add up to and take away again may be left [1].
+constexpr Real kRoundings = 32 * std::numeric_limits<Real>::epsilon();
+
 constexpr int kMostRows = 7;
 constexpr int kFirstRub = 4;
 
@@ -91,7 +94,6 @@ IslandError IslandNewton::errorOf(std::span<const MovingBody> bodies,
     loads_[at(block.bodyA)] += sum * bodies[at(block.bodyA)].mass.inverseMass;
     loads_[at(block.bodyB)] += sum * bodies[at(block.bodyB)].mass.inverseMass;
   }
-  constexpr Real kRoundings = 32 * std::numeric_limits<Real>::epsilon();
   IslandError error{0, true};
   for (const ContactBlock& block : blocks) {
     const MovingBody &a = bodies[at(block.bodyA)], &b = bodies[at(block.bodyB)];
@@ -123,6 +125,23 @@ IslandError IslandNewton::errorOf(std::span<const MovingBody> bodies,
     if (!(here <= rounding)) error.small = false;
   }
   return error;
+}
+
+void IslandNewton::dropRounding(std::span<MovingBody> bodies) const {
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    if (!isMovable(bodies[i])) {
+      if (bodies[i].velocity.linear != Vector3::Zero()) return;
+      if (bodies[i].velocity.angular != Vector3::Zero()) return;
+      continue;
+    }
+    // An inertia is a mass times the square of a length: so its rate is comparable with a speed.
+    const Real length =
+        std::sqrt(bodies[i].mass.inverseMass / bodies[i].mass.inverseInertia.trace());
+    const Real least = kRoundings * loads_[i];
+    if (!(bodies[i].velocity.linear.norm() <= least)) return;
+    if (!(bodies[i].velocity.angular.norm() * length <= least)) return;
+  }
+  for (MovingBody& body : bodies) body.velocity = Velocity();
 }
 
 bool IslandNewton::prepare(std::span<const MovingBody> bodies,
@@ -380,18 +399,13 @@ void IslandNewton::accept(std::span<MovingBody> bodies, std::span<ContactBlock> 
   for (BodyVector& velocity : velocity_) velocity.setZero();
 }
 
-NewtonResult IslandNewton::solve(std::span<MovingBody> bodies, std::span<ContactBlock> blocks,
-                                 const NewtonLimits& limits) {
-  NewtonResult result;
-  if (blocks.empty() || !prepare(bodies, blocks)) return result;
-  kept_.clear();
-  for (const ContactBlock& block : blocks) kept_.push_back({block.impulses, block.rub});
-  keptVelocity_.clear();
-  for (const MovingBody& body : bodies) keptVelocity_.push_back(body.velocity);
-
+// Rounds until only rounding is left; whether that was reached.
+bool IslandNewton::iterate(std::span<MovingBody> bodies, std::span<ContactBlock> blocks,
+                           const NewtonLimits& limits, NewtonResult& result) {
   readSpeeds(bodies, blocks);
   const bool rubs = std::any_of(blocks.begin(), blocks.end(),
                                 [](const ContactBlock& block) { return block.rubs > 0; });
+  bool solved = false;  // but for rounding
   coupled_ = rubs;
   int roundsHere = 0;
   Real tried = std::numeric_limits<Real>::infinity();  // error when friction was coupled last
@@ -441,7 +455,11 @@ NewtonResult IslandNewton::solve(std::span<MovingBody> bodies, std::span<Contact
       }
     }
     const Real start = slope(blocks, 0);
-    const Real t = searchLine(blocks, start);
+    first = std::min(first, start);
+    // What is left is rounding: the direction means nothing any more.
+    constexpr Real kNothing = 1e-24;
+    const bool nothing = std::abs(start) <= -kNothing * first;
+    const Real t = nothing ? 1 : searchLine(blocks, start);
     bool stays = t == 1;
     for (std::size_t i = 0; i < blocks.size(); ++i) {
       Work& work = work_[i];
@@ -456,7 +474,7 @@ NewtonResult IslandNewton::solve(std::span<MovingBody> bodies, std::span<Contact
     // Friction whose limit grows with the pressure has no energy that would have to fall, and
     // rounds may wander. With the limit of the impulses held so far there is one.
     constexpr int kPatience = 8;
-    if (coupled_ && (start > 0 || ++roundsHere > kPatience)) {
+    if (coupled_ && !nothing && (start > 0 || ++roundsHere > kPatience)) {
       coupled_ = hasFactors_ = false;
       tried = result.error;
       first = before = 0;
@@ -464,11 +482,10 @@ NewtonResult IslandNewton::solve(std::span<MovingBody> bodies, std::span<Contact
       readSpeeds(bodies, blocks);
       continue;
     }
-    first = std::min(first, start);
-    const bool balanced = start >= kBalanced * first || start <= before / 2;
+    const bool balanced = nothing || start >= kBalanced * first || start <= before / 2;
     before = start;
-    if (!stays || !balanced) {
-      if (result.solved) return result;  // what is left is rounding
+    if (!(stays || nothing) || !balanced) {
+      if (solved) return true;  // what is left is rounding
       continue;
     }
     first = before = 0;
@@ -477,8 +494,8 @@ NewtonResult IslandNewton::solve(std::span<MovingBody> bodies, std::span<Contact
     const IslandError error = errorOf(bodies, blocks, limits.speed);
     result.error = error.speed;
     // A round costs little while the factors serve: on, until the digits are used up.
-    result.solved = error.small;
-    if (error.small && !(error.speed < best / 2)) return result;
+    solved = error.small;
+    if (error.small && !(error.speed < best / 2)) return true;
     best = std::min(best, error.speed);
     constexpr Real kNearer = 0.1;
     if (rubs && !coupled_ && !(error.speed > kNearer * tried)) {
@@ -487,7 +504,53 @@ NewtonResult IslandNewton::solve(std::span<MovingBody> bodies, std::span<Contact
     }
     readSpeeds(bodies, blocks);
   }
-  if (result.solved) return result;
+  return solved;
+}
+
+// Energy of the bodies that move [J].
+Real IslandNewton::energyOf(std::span<const MovingBody> bodies) const {
+  Real sum = 0;
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    if (nodes_[i] < 0) continue;
+    const BodyBlock& M = masses_[at(nodes_[i])];
+    const Velocity& velocity = bodies[i].velocity;
+    for (int k = 0; k < 3; ++k) {
+      sum += velocity.linear[k] * M(k, k) * velocity.linear[k] / 2;
+      for (int j = 0; j < 3; ++j) {
+        sum += velocity.angular[k] * M(3 + k, 3 + j) * velocity.angular[j] / 2;
+      }
+    }
+  }
+  return sum;
+}
+
+NewtonResult IslandNewton::solve(std::span<MovingBody> bodies, std::span<ContactBlock> blocks,
+                                 const NewtonLimits& limits) {
+  NewtonResult result;
+  if (blocks.empty() || !prepare(bodies, blocks)) return result;
+  kept_.clear();
+  for (const ContactBlock& block : blocks) kept_.push_back({block.impulses, block.rub});
+  keptVelocity_.clear();
+  for (const MovingBody& body : bodies) keptVelocity_.push_back(body.velocity);
+  free_.assign(bodies.begin(), bodies.end());
+  for (const ContactBlock& block : blocks) {
+    MovingBody &a = free_[at(block.bodyA)], &b = free_[at(block.bodyB)];
+    for (int k = 0; k < block.count; ++k) {
+      pushAlong(block.normals[at(k)], -block.impulses[at(k)], a, b);
+    }
+    for (int k = 0; k < block.rubs; ++k) pushAlong(block.tangents[at(k)], -block.rub[k], a, b);
+  }
+  result.solved = iterate(bodies, blocks, limits, result);
+  if (result.solved) {
+    // Points that turn within the step do a little work; what moves of itself does any.
+    constexpr Real kLittle = 1e-3;
+    const bool driven = std::any_of(bodies.begin(), bodies.end(), [](const MovingBody& body) {
+      return !isMovable(body) &&
+             (body.velocity.linear != Vector3::Zero() || body.velocity.angular != Vector3::Zero());
+    });
+    if (driven || energyOf(bodies) <= (1 + kLittle) * energyOf(free_)) return result;
+    result.solved = false;
+  }
   for (std::size_t i = 0; i < blocks.size(); ++i) {
     blocks[i].impulses = kept_[i].impulses;
     blocks[i].rub = kept_[i].rub;

@@ -18,6 +18,8 @@
 // Source: augmented Lagrangian with Newton's method for friction, Alart and Curnier 1991; proximal
 // points, Rockafellar 1976; sparse systems over bodies, Castro and others 2022 (SAP), whose cone is
 // the associated one; subspaces from sweeps, Silcowitz, Niebe and Erleben 2010.
+// Friction as Coulomb said has solutions that make energy (Painlevé 1895, Kane 1984); sweeps hardly
+// come to them, Newton's method may. Such a solution is none.
 // Not handled: that it converges is proved without friction only; with it the caller must look.
 
 #include <cstdint>
@@ -58,6 +60,10 @@ class IslandNewton {
   /// \param speed what is fast in this scene, at least [m/s] \return what is missing
   IslandError errorOf(std::span<const MovingBody> bodies, std::span<const ContactBlock> blocks,
                       Real speed);
+
+  /// Makes velocities zero if all of them are only rounding of what the bodies carry, so that what
+  /// rests rests to the last bit. \param bodies as errorOf() has just seen them
+  void dropRounding(std::span<MovingBody> bodies) const;
 
   /// Solves. \param bodies their velocities are changed; the impulses that the blocks hold have
   /// been applied \param blocks their impulses are changed; if it is not solved, both are as they
@@ -101,6 +107,9 @@ class IslandNewton {
   Real slope(std::span<const ContactBlock> blocks, Real t);
   Real searchLine(std::span<const ContactBlock> blocks, Real start);
   void accept(std::span<MovingBody> bodies, std::span<ContactBlock> blocks);
+  Real energyOf(std::span<const MovingBody> bodies) const;
+  bool iterate(std::span<MovingBody> bodies, std::span<ContactBlock> blocks,
+               const NewtonLimits& limits, NewtonResult& result);
 
   BodyMatrix matrix_;
   std::vector<Work> work_;
@@ -111,6 +120,7 @@ class IslandNewton {
   std::vector<BodyVector> step_;      // direction of the search
   std::vector<Real> loads_;           // of each body [m/s]
   std::vector<Kept> kept_;            // impulses as they were
+  std::vector<MovingBody> free_;      // bodies without impulses
   std::vector<Velocity> keptVelocity_;
   bool symmetric_ = true;
   bool coupled_ = true;  // the limit of friction follows the pressure within a round

@@ -222,7 +222,7 @@ void advanceAtOnce(WorldState& state, Index index, Real start, Real end) {
 // Whether it is worth the while to look if a step changes anything: nothing is fast, and nothing
 // counts the steps.
 bool mayBeStill(const WorldState& state, const IslandSlot& island) {
-  if (!state.settings.keepStill || island.hardFor > 0) return false;
+  if (!state.settings.keepStill || island.hardFor > 0 || island.strayFor > 0) return false;
   const Real slow = slowSpeed(state);
   for (const Index index : island.bodies) {
     const BodySlot& body = state.bodies[at(index)];
@@ -303,6 +303,10 @@ IslandRun advanceIsland(WorldState& state, Index index, Real start, Real end) {
   if (isWatched) remember(state, island);
   const std::size_t impacts = state.impacts.size();
   if (state.settings.projectPositions) projectPositions(state, island.bodies, island.pairs);
+  // What was not solved directly is hardly so in the next step.
+  constexpr int kStrayFor = 8;
+  state.work.mayFactor = island.strayFor == 0;
+  const std::int64_t givenUp = state.counters.islandsGivenUp;
   // An island whose contacts do not settle is not tried again in each step.
   constexpr int kHardFor = 60;
   run.byEvents = state.settings.locateEvents && island.hardFor == 0 &&
@@ -313,6 +317,9 @@ IslandRun advanceIsland(WorldState& state, Index index, Real start, Real end) {
     run.byEvents = false;
   }
   if (!run.byEvents) advanceAtOnce(state, index, start, end);
+  island.strayFor =
+      state.counters.islandsGivenUp > givenUp ? kStrayFor : std::max(0, island.strayFor - 1);
+  state.work.mayFactor = true;
   for (const Index body : island.bodies) moveBody(state, body, end, true);
   if (state.settings.projectPositions) projectRounds(state, island.bodies, island.pairs, end);
   island.still = isWatched && state.impacts.size() == impacts && isAsRemembered(state, island);

@@ -7,7 +7,7 @@
 #include "carom/manifold/contact_ids.hpp"
 #include "carom/rotation/integrate_orientation.hpp"
 #include "carom/rotation/quaternion_to_matrix.hpp"
-#include "carom/solver/solve_patches.hpp"
+#include "carom/solver/solve_island.hpp"
 #include "carom/world/move_body.hpp"
 #include "carom/world/update_contacts.hpp"
 
@@ -81,6 +81,23 @@ void moveArms(const WorldState& state, const PairSlot& pair, std::uint32_t id,
 }
 
 }  // namespace
+
+bool solveBlocks(WorldState& state, Real scale) {
+  Workspace& work = state.work;
+  const IslandLimits limits{.sweeps = {.least = state.settings.iterations,
+                                       .rowBudget = state.settings.rowBudget,
+                                       .speed = scale},
+                            .direct = state.settings.directIslands,
+                            .newton = work.mayFactor,
+                            .directWork = state.settings.directWork};
+  const IslandSolution done = solveIsland(work.newton, work.moving, work.blocks, limits);
+  state.counters.rowsSolved += done.rows;
+  state.counters.islandsDirect += done.direct ? 1 : 0;
+  state.counters.islandsGivenUp += done.factorisations > 0 && !done.direct ? 1 : 0;
+  state.counters.factorisations += done.factorisations;
+  if (done.looked) work.newton.dropRounding(work.moving);
+  return done.settled;
+}
 
 Real slowSpeed(const WorldState& state) {
   return state.slowestImpact;
@@ -284,10 +301,7 @@ bool solvePhase(WorldState& state, const PhaseTask& task) {
   const Real scale = scaleOf(state, duration);
   accelerate(state, duration);
   for (const ContactBlock& block : work.blocks) warmStart(block, work.moving);
-  const SweepLimits limits{
-      .least = state.settings.iterations, .rowBudget = state.settings.rowBudget, .speed = scale};
-  const Sweeps done = solvePatches(work.moving, work.blocks, limits);
-  state.counters.rowsSolved += done.rows;
+  const bool settled = solveBlocks(state, scale);
   // A point that parts and is held at its end moves on by the mean of both, against the force that
   // holds it. Where such points are no events this makes energy, and the end alone counts.
   const bool byEnd = task.speculative && workOf(state) > 0;
@@ -301,8 +315,7 @@ bool solvePhase(WorldState& state, const PhaseTask& task) {
     body.turning = (body.atEnd.angular - body.velocity.angular) / duration;
   }
   storeForces(state, task.start, duration);
-  constexpr Real kSettled = 1e-9;
-  return done.change <= kSettled * scale;
+  return settled;
 }
 
 }  // namespace carom::world

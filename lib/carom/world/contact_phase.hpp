@@ -43,6 +43,10 @@ bool solvePhase(WorldState& state, const PhaseTask& task);
 /// \param pairs of these \ingroup world
 void gather(WorldState& state, std::span<const Index> bodies, std::span<const Index> pairs);
 
+/// Solves the blocks that are prepared, and counts what it took. \param state of the world, gathered
+/// \param scale what is fast [m/s] \return whether they settled \ingroup world
+bool solveBlocks(WorldState& state, Real scale);
+
 /// Speed below which nothing is an impact: bounces that are slower end within the shortest time.
 /// \param state of the world \return [m/s] \ingroup world
 Real slowSpeed(const WorldState& state);

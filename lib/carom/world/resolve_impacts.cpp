@@ -6,7 +6,6 @@
 #include "carom/impulse/bounded_impact.hpp"
 #include "carom/impulse/change_velocities.hpp"
 #include "carom/impulse/simultaneous_impacts.hpp"
-#include "carom/solver/solve_patches.hpp"
 #include "carom/world/contact_phase.hpp"
 #include "carom/world/move_body.hpp"
 #include "carom/world/update_contacts.hpp"
@@ -112,9 +111,7 @@ void solveNow(WorldState& state, Real scale) {
   for (const WorkPatch& one : work.patches) {
     work.blocks.push_back(prepareBlock(one.patch, work.moving));
   }
-  const SweepLimits limits{
-      .least = state.settings.iterations, .rowBudget = state.settings.rowBudget, .speed = scale};
-  state.counters.rowsSolved += solvePatches(work.moving, work.blocks, limits).rows;
+  solveBlocks(state, scale);
 }
 
 // Whether pressure cannot turn a body: it is a ball about its middle.

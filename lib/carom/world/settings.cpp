@@ -22,6 +22,9 @@ void requireUsable(const WorldSettings& settings) {
   if (settings.rowBudget < 0) {
     reject("rowBudget", std::to_string(settings.rowBudget), "must be zero or positive");
   }
+  if (settings.directWork < 0) {
+    reject("directWork", std::to_string(settings.directWork), "must be zero or positive");
+  }
   if (settings.eventContacts < 0) {
     reject("eventContacts", std::to_string(settings.eventContacts), "must be zero or positive");
   }

@@ -32,6 +32,8 @@ struct WorldSettings {
   bool friction = true;          ///< rows for friction where a coefficient is not zero
   bool restitution = true;       ///< bounces where a coefficient is not zero
 
+  bool directIslands = true;  ///< solve islands directly where sweeps gain little
+
   int iterations = 10;      ///< sweeps over the rows of an island, at least; positive
   int rowBudget = 100'000;  ///< sweeps go on until they change nothing, or this many rows
   int eventContacts = 64;   ///< islands with more closed contacts than this take no events
@@ -39,6 +41,7 @@ struct WorldSettings {
   int pileBodies = 300;     ///< so are islands of more bodies that do not bounce
   int shortSteps = 8;       ///< of a pile in a step; positive
   int threads = 1;          ///< who work on piles; the result is the same for any number; positive
+  int directWork = 20'000;  ///< blocks multiplied at most to solve an island directly, zero or more
   int eventsPerBody =
       200;  ///< in one step; after that impacts are plastic, and then not looked for
   bool extrapolation = true;    ///< advance: combine tries of different steps into a better one

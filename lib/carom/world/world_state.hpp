@@ -22,6 +22,7 @@
 #include "carom/manifold/manifold_cache.hpp"
 #include "carom/motion/free_rotor.hpp"
 #include "carom/solver/contact_patch.hpp"
+#include "carom/solver/island_newton.hpp"
 #include "carom/world/body.hpp"
 #include "carom/world/counters.hpp"
 #include "carom/world/events.hpp"
@@ -142,6 +143,7 @@ struct IslandSlot {
   int hardFor = 0;        ///< steps for which it is not tried by events: its contacts do not settle
   int knocks = 0;         ///< impacts, and phases that did not settle, in this step
   int newFor = 0;         ///< steps for which a pile is solved with more care: its load is new
+  int strayFor = 0;       ///< steps for which it is not solved directly: that found nothing
   bool unsorted = false;  ///< something was added
   bool still = false;     ///< its last step changed nothing, so neither will the next
   Real subStep = 0;       ///< what its error asks for while the world advances; 0: not known [s]
@@ -194,6 +196,8 @@ struct Workspace {
   std::vector<Index> labels;             ///< of bodies, while islands are looked for
   std::vector<IndexPair> links;          ///< pairs of local numbers
   std::vector<std::uint8_t> flags;       ///< one per local body
+  bool mayFactor = true;                 ///< the island at hand may be solved directly
+  IslandNewton newton;                   ///< for islands that are solved directly
   std::vector<BodyContact> contacts;     ///< of impacts
   std::vector<Index> contactPairs;       ///< whose
   std::vector<BodyBefore> bodiesBefore;  ///< of an island that may be still

@@ -1,0 +1,63 @@
+#include "carom/solver/solve_island.hpp"
+
+#include <algorithm>
+
+namespace carom {
+
+IslandSolution solveIsland(IslandNewton& newton, std::span<MovingBody> bodies,
+                           std::span<ContactBlock> blocks, const IslandLimits& limits) {
+  constexpr Real kSettled = 1e-9;  // of the fastest
+  IslandSolution done;
+  const auto sweep = [&](const SweepLimits& sweeps) {
+    const Sweeps swept = solvePatches(bodies, blocks, sweeps);
+    done.rows += swept.rows;
+    done.settled = swept.change <= kSettled * sweeps.speed;
+    return swept;
+  };
+  if (!limits.direct) {
+    sweep(limits.sweeps);
+    return done;
+  }
+  const auto look = [&] {
+    done.looked = true;
+    return newton.errorOf(bodies, blocks, limits.sweeps.speed).small;
+  };
+  if (look()) {
+    done.settled = true;
+    return done;
+  }
+  // As many as a few bodies need. What has come to its end by then is not looked at again.
+  constexpr int kFew = 12;
+  const Real tolerance = limits.sweeps.tolerance, speed = limits.sweeps.speed;
+  if (sweep({.least = kFew, .tolerance = tolerance, .speed = speed}).change <= tolerance * speed) {
+    look();
+    return done;
+  }
+  if (look()) {
+    done.settled = true;
+    return done;
+  }
+  // A body alone has no load to hand on: sweeps end, or there is no end (Painlevé 1895).
+  const auto joins = [&](const ContactBlock& block) {
+    const auto moves = [&](int body) {
+      return bodies[static_cast<std::size_t>(body)].mass.inverseMass > 0;
+    };
+    return moves(block.bodyA) && moves(block.bodyB);
+  };
+  if (!limits.newton || std::none_of(blocks.begin(), blocks.end(), joins)) {
+    sweep(limits.sweeps);
+    look();
+    return done;
+  }
+  const NewtonResult result =
+      newton.solve(bodies, blocks, {.work = limits.directWork, .speed = speed});
+  done.factorisations = result.factorisations;
+  done.direct = done.settled = result.solved;
+  if (!result.solved) {
+    sweep(limits.sweeps);
+    look();
+  }
+  return done;
+}
+
+}  // namespace carom
