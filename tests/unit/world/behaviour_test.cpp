@@ -366,6 +366,29 @@ TEST_CASE("a tower of ten stands for ten seconds as if it were one") {
   CHECK(world.velocity(tower[9]).norm() < 1e-9);
 }
 
+TEST_CASE("a tower of forty stands to the last bit, and moves when its top is pushed") {
+  World world(awake());
+  const std::vector<BodyId> tower = towerOnFloor(world, 40);
+  world.step(kStep);
+  CHECK(world.counters().islandsDirect == 1);
+  run(world, 120);
+  CHECK(world.position(tower[39]) == Vector3(0, 0, 39.5));
+  CHECK(world.velocity(tower[39]) == Vector3(0, 0, 0));
+  world.push(tower[39], {3, 0, 0}, world.centre(tower[39]));
+  run(world, 30);
+  CHECK(world.position(tower[39]).x() > 0.05);
+}
+
+TEST_CASE("a box stands on one that is ten thousand times lighter") {
+  World world(awake());
+  addPlane(world, 0.5, 0);
+  addBox(world, Vector3::Constant(0.5), {.position = {0, 0, 0.5}, .friction = 0.5});
+  const BodyId heavy = addBox(world, Vector3::Constant(0.5),
+                              {.mass = 1e4, .position = {0, 0, 1.5}, .friction = 0.5});
+  run(world, 600);
+  CHECK((world.position(heavy) - Vector3(0, 0, 1.5)).norm() < 1e-9);
+}
+
 TEST_CASE("thousands of calls in any order never break a world") {
   Random random(11);
   World world;
