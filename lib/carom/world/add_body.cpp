@@ -20,14 +20,23 @@ namespace carom::world {
 
 namespace {
 
+bool isHalfSpace(const ShapeDescription& shape) {
+  return !shape.ground && std::holds_alternative<HalfSpace>(shape.shape);
+}
+
 void requireShape(const ShapeDescription& shape, BodyKind kind) {
-  if (shape.ground) throw InvalidInput("ground made of triangles is not supported by this world");
-  carom::requireUsable(shape.shape);
+  if (shape.ground) {
+    if (kind != BodyKind::immovable) {
+      throw InvalidInput("ground made of triangles must belong to an immovable body");
+    }
+  } else {
+    carom::requireUsable(shape.shape);
+  }
   carom::requireUsable(shape.pose, "pose of a shape");
   requireNonNegative(shape.material.friction, "friction");
   requireRestitution(shape.material.restitution);
   requirePositive(shape.density, "density");
-  if (std::holds_alternative<HalfSpace>(shape.shape) && kind == BodyKind::dynamic) {
+  if (isHalfSpace(shape) && kind == BodyKind::dynamic) {
     throw InvalidInput("a half-space cannot be a shape of a dynamic body: it has no end");
   }
 }
@@ -69,7 +78,7 @@ InnerFrame innerFrameOf(const BodyDescription& description) {
 
 // The farthest that a shape reaches from the body's centre.
 Real reachOf(const ShapeSlot& shape) {
-  if (shape.data->isHalfSpace) return 0;
+  if (shape.data->isHalfSpace || shape.data->ground) return 0;
   if (shape.data->isBall) return shape.pose.p_WB.norm() + shape.data->reach;
   if (const auto* hull = std::get_if<ConvexHull>(&shape.data->whole)) {
     Real far = 0;
@@ -109,15 +118,18 @@ Index placeFor(std::vector<Index>& free, std::size_t count) {
 }
 
 void addShape(WorldState& state, Index body, std::shared_ptr<const ShapeData> data,
-              const Pose& pose, const ShapeDescription& description) {
+              const Pose& pose, const ShapeDescription& description, Index item = 0) {
   const Index index = placeFor(state.freeShapes, state.shapes.size());
   if (at(index) == state.shapes.size()) state.shapes.emplace_back();
   ShapeSlot& shape = state.shapes[at(index)];
-  const std::uint32_t generation = shape.generation + 1;
+  const ShapeSlot before = std::move(shape);
   shape = ShapeSlot();
-  shape.generation = generation;
+  shape.generation = before.generation + 1;
+  shape.isAsked = before.isAsked;
+  shape.isStale = before.isStale;
   shape.alive = true;
   shape.body = body;
+  shape.item = item;
   shape.data = std::move(data);
   shape.pose = pose;
   shape.centred = pose.p_WB == Vector3::Zero() && pose.R_WB == Matrix3::Identity();
@@ -126,7 +138,8 @@ void addShape(WorldState& state, Index body, std::shared_ptr<const ShapeData> da
   BodySlot& owner = state.bodies[at(body)];
   owner.shapes.push_back(index);
   owner.reach = std::max(owner.reach, reachOf(shape));
-  shape.swept = boundsOf(shape.data->whole, poseOfShape(owner, shape));
+  shape.swept = boundsOfShape(shape, poseOfShape(owner, shape));
+  makeStale(state, index);
   Aabb<3> box = shape.swept;
   std::uint32_t family = shape.filter.family;
   if (state.settings.pairFinding == PairFinding::allPairs) {
@@ -138,10 +151,23 @@ void addShape(WorldState& state, Index body, std::shared_ptr<const ShapeData> da
   state.broadPhase.add(index, box, moves ? Mobility::moving : Mobility::immovable, family);
 }
 
+using Grounds = std::span<const std::shared_ptr<const Ground>>;
+
+// Takes a ground from the front of the list if the shape is one.
 void addShapes(WorldState& state, Index body, const ShapeDescription& description,
-               const InnerFrame& frame) {
+               const InnerFrame& frame, Grounds& grounds) {
   // Inner frame from shape.
   const Pose inner{frame.axes.transpose(), -(frame.axes.transpose() * frame.centre)};
+  if (description.ground) {
+    auto data = std::make_shared<ShapeData>();
+    data->ground = grounds.front();
+    grounds = grounds.subspan(1);
+    const Pose pose = composed(inner, description.pose);
+    for (Index item = 0; item < data->ground->items(); ++item) {
+      addShape(state, body, data, pose, description, item);
+    }
+    return;
+  }
   const auto addKind = [&](const auto& kind) {
     using Kind = std::decay_t<decltype(kind)>;
     if constexpr (std::is_same_v<Kind, Compound>) {
@@ -179,8 +205,7 @@ void requireUsable(const WorldState& state, const BodyDescription& description) 
   requireFinite(description.angularVelocity, "angularVelocity");
   for (const ShapeDescription& shape : description.shapes) {
     requireShape(shape, description.kind);
-    if (std::holds_alternative<HalfSpace>(shape.shape) &&
-        description.angularVelocity != Vector3::Zero()) {
+    if (isHalfSpace(shape) && description.angularVelocity != Vector3::Zero()) {
       reject("angularVelocity", toText(description.angularVelocity),
              "must be zero for a body with a half-space");
     }
@@ -204,6 +229,11 @@ void requireUsable(const WorldState& state, const BodyDescription& description) 
 BodyId addBody(WorldState& state, const BodyDescription& description) {
   requireUsable(state, description);
   const InnerFrame frame = innerFrameOf(description);
+  // Broken meshes are refused here, before anything has changed.
+  std::vector<std::shared_ptr<const Ground>> made;
+  for (const ShapeDescription& shape : description.shapes) {
+    if (shape.ground) made.push_back(std::make_shared<Ground>(makeGround(*shape.ground)));
+  }
 
   const Index index = placeFor(state.freeBodies, state.bodies.size());
   if (at(index) == state.bodies.size()) state.bodies.emplace_back();
@@ -232,7 +262,10 @@ BodyId addBody(WorldState& state, const BodyDescription& description) {
   refreshPose(body);
   body.restStart = body.pose;
   ++state.bodyCount;
-  for (const ShapeDescription& shape : description.shapes) addShapes(state, index, shape, frame);
+  Grounds grounds = made;
+  for (const ShapeDescription& shape : description.shapes) {
+    addShapes(state, index, shape, frame, grounds);
+  }
   if (body.kind != BodyKind::immovable) listBody(state, index);
   return idOfBody(state, index);
 }
@@ -249,6 +282,7 @@ void removeBody(WorldState& state, Index index) {
     state.broadPhase.remove(shape);
     state.shapes[at(shape)].alive = false;
     state.shapes[at(shape)].data.reset();
+    makeStale(state, shape);
     state.freeShapes.push_back(shape);
   }
   leaveIsland(state, index);

@@ -49,8 +49,10 @@ struct ShapeDescription {
   Material material = {};  ///< friction and bounce
   Filter filter = {};      ///< what it meets
   Real density = 1000;     ///< positive; used where the body has no mass of its own [kg/m^3]
-  /// Ground made of triangles, instead of `shape`: has its place here, and is refused so far. Its
-  /// front is where corners run counter-clockwise; it has no inside.
+  /// Ground made of triangles, instead of `shape`; only on immovable bodies. Its front is where
+  /// corners run counter-clockwise. It is a sheet and may be open: it carries what comes from its
+  /// front, and a body whose middle is behind a face is not held by it. Two triangles share an edge
+  /// if they name the same two vertices. Each triangle, ridge and rim is a shape with an id.
   std::shared_ptr<const TriangleMesh> ground = {};
 };
 

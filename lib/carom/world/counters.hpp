@@ -41,6 +41,7 @@ struct Counters {
   std::int64_t impacts = 0;            ///< impacts resolved at their time
   std::int64_t slipChanges = 0;        ///< ends of slipping located
   std::int64_t exactRotations = 0;     ///< bodies turned by the closed form
+  std::int64_t splitRotations = 0;     ///< bodies turned by splitting: a torque acts, or by a switch
   std::int64_t projections = 0;        ///< pairs whose overlap was taken away
   std::int64_t islandsSplit = 0;       ///< islands looked through because a contact had ended
   std::int64_t islandsWoken = 0;       ///< islands that woke
@@ -50,6 +51,13 @@ struct Counters {
   std::int64_t triesRefused = 0;       ///< tries of islands taken back: too wrong
   std::int64_t macroStepsCut = 0;      ///< long steps taken back: a body left its box
   std::int64_t triesForced = 0;        ///< tries that were too wrong and too short to cut
+};
+
+/// What the last query looked at. \ingroup world
+struct QueryCounters {
+  std::int64_t shapesUpdated = 0;  ///< shapes whose places the tree had to be told
+  std::int64_t nodesVisited = 0;   ///< nodes of the tree
+  std::int64_t shapesTested = 0;   ///< shapes whose own geometry was asked
 };
 
 }  // namespace carom::world

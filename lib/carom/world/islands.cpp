@@ -289,6 +289,7 @@ void putToSleep(WorldState& state, Index island) {
     body.acceleration = body.turning = Vector3::Zero();
     ++state.sleeping;
     unlistBody(state, index);
+    for (const Index shape : body.shapes) makeStale(state, shape);
   }
   for (const Index body : slot.bodies) listPairsOf(state, body);
 }

@@ -37,12 +37,13 @@ void turnFreely(WorldState& state, BodySlot& body, Real duration, BodyState& aft
     }
     return;
   }
-  ++state.counters.exactRotations;
   RotorState turned;
   if (state.settings.exactRotation && body.torque == Vector3::Zero()) {
+    ++state.counters.exactRotations;
     RotorAnchor& anchor = anchorOf(state, body);
     turned = anchor.rotor.at(anchor.since + (anchor.lost + duration));
   } else {
+    ++state.counters.splitRotations;
     // A torque kicks before and after; in between the body turns freely.
     const Vector3 half = duration / 2 * (body.mass.inverseInertia * body.torque);
     const RotorState start{body.orientation,

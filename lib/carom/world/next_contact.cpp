@@ -9,6 +9,7 @@
 #include "carom/toi/swept_ball_plane.hpp"
 #include "carom/toi/swept_balls.hpp"
 #include "carom/world/contact_phase.hpp"
+#include "carom/world/leave_ground.hpp"
 #include "carom/world/move_body.hpp"
 #include "carom/world/update_contacts.hpp"
 
@@ -55,6 +56,8 @@ Real nextOfPoints(const WorldState& state, const PairSlot& pair) {
   return first;
 }
 
+}  // namespace
+
 Sweep sweepOf(const BodySlot& body, const BodyState& now, const ShapeSlot& shape) {
   Sweep sweep;
   const Pose pose = poseOf(now.orientation, now.position);
@@ -65,6 +68,8 @@ Sweep sweepOf(const BodySlot& body, const BodyState& now, const ShapeSlot& shape
   if (!shape.centred) sweep.centre = -(shape.pose.R_WB.transpose() * shape.pose.p_WB);
   return sweep;
 }
+
+namespace {
 
 TimeOfImpact searchFirst(const ShapeSlot& a, const Sweep& A, const ShapeSlot& b, const Sweep& B,
                          Real duration) {
@@ -91,6 +96,10 @@ Real nextContact(WorldState& state, Index index, Real time, Real end) {
   PairSlot& pair = state.pairs[at(index)];
   const Real duration = end - time;
   if (!state.settings.continuous || !(duration > 0)) return kNever;
+  if (state.shapes[at(pair.shapeA)].data->ground) {
+    const Real followed = pair.madeAt == time ? nextOfPoints(state, pair) : kNever;
+    return nextGroundContact(state, index, time, end, followed);
+  }
   if (pair.madeAt == time) {
     bool closed = false;
     for (int i = 0; i < pair.manifold.count; ++i) closed = closed || isClosed(state, pair, i);

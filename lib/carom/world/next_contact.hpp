@@ -10,6 +10,8 @@
 // one comparison of ways.
 // Not handled: points that are not in the manifold of a pair that touches.
 
+#include "carom/toi/sweep.hpp"
+#include "carom/world/move_body.hpp"
 #include "carom/world/world_state.hpp"
 
 namespace carom::world {
@@ -20,5 +22,9 @@ namespace carom::world {
 /// \param end end of the step [s]
 /// \return time in this step; infinite if they do not meet [s] \ingroup world
 Real nextContact(WorldState& state, Index index, Real time, Real end);
+
+/// The motion of a shape of a body from now on. \param body whose \param now its state
+/// \param shape one of its shapes \return motion, its time beginning now \ingroup world
+Sweep sweepOf(const BodySlot& body, const BodyState& now, const ShapeSlot& shape);
 
 }  // namespace carom::world

@@ -8,7 +8,9 @@
 #include "carom/manifold/collide.hpp"
 #include "carom/manifold/collide_half_space.hpp"
 #include "carom/manifold/swap_manifold.hpp"
+#include "carom/world/collide_ground.hpp"
 #include "carom/world/islands.hpp"
+#include "carom/world/leave_ground.hpp"
 #include "carom/world/move_body.hpp"
 
 namespace carom::world {
@@ -85,6 +87,11 @@ bool mayMeet(const WorldState& state, Index a, Index b) {
   return (p.filter.mask & q.filter.group) != 0 && (q.filter.mask & p.filter.group) != 0;
 }
 
+Aabb<3> boundsOfShape(const ShapeSlot& shape, const Pose& pose) {
+  const ShapeData& data = *shape.data;
+  return data.ground ? boundsOfItem(*data.ground, shape.item, pose) : boundsOf(data.whole, pose);
+}
+
 void moveBoxes(WorldState& state, Index index, Real dt) {
   const BodySlot& body = state.bodies[at(index)];
   for (const Index shapeIndex : body.shapes) {
@@ -93,7 +100,7 @@ void moveBoxes(WorldState& state, Index index, Real dt) {
     const Real way = std::max(wayOf(state, body, dt, turnsInPlace), body.struck);
     const Vector3 room =
         Vector3::Constant(way + state.settings.touchTolerance + state.settings.restTolerance);
-    shape.swept = boundsOf(shape.data->whole, poseOfShape(body, shape));
+    shape.swept = boundsOfShape(shape, poseOfShape(body, shape));
     shape.swept.low -= room;
     shape.swept.high += room;
     if (state.settings.pairFinding == PairFinding::allPairs) {
@@ -241,7 +248,10 @@ void makeManifold(WorldState& state, Index index, Real time, Real rest) {
                       wayOf(state, bodyB, rest, b.centred && b.data->isBall);
   const Manifold old = pair.manifold;
   const std::array<Real, 4> forces = pair.force;
-  if (a.data->isHalfSpace) {
+  if (a.data->ground) {
+    pair.manifold = collideGround(*a.data->ground, a.item, A, b.data->convex, B, margin);
+    leaveGround(state, pair, A);
+  } else if (a.data->isHalfSpace) {
     pair.manifold =
         collideHalfSpace(std::get<HalfSpace>(a.data->whole), A, b.data->convex, B, margin);
   } else if (b.data->isHalfSpace) {

@@ -37,6 +37,10 @@ Real touchGap(const WorldState& state, const PairSlot& pair);
 /// \ingroup world
 bool isClosed(const WorldState& state, const PairSlot& pair, int point);
 
+/// The tight box of a shape. \param shape any \param pose world from shape \return box [m, world]
+/// \ingroup world
+Aabb<3> boundsOfShape(const ShapeSlot& shape, const Pose& pose);
+
 /// Takes up where a body may be, so that pairs are found. \param state of the world
 /// \param body any \param dt length of the step [s] \ingroup world
 void moveBoxes(WorldState& state, Index body, Real dt);

@@ -162,6 +162,7 @@ void World::place(BodyId id, const Vector3& position, const Quaternion& orientat
   body.position = position + quaternionToMatrix(q_WB) * body.centre;
   refreshPose(body);
   moveBoxes(*state_, index, 0);
+  for (const Index shape : body.shapes) makeStale(*state_, shape);
 }
 
 void World::setVelocity(BodyId id, const Vector3& velocity, const Vector3& angularVelocity) {
@@ -236,6 +237,10 @@ Real World::time() const {
 
 const Counters& World::counters() const {
   return state_->counters;
+}
+
+const QueryCounters& World::queryCounters() const {
+  return state_->asked.counters;
 }
 
 Events World::events() const {

@@ -154,6 +154,8 @@ class World {
 
   /// What the last step did. \return counters
   const Counters& counters() const;
+  /// What the last query looked at. \return counters
+  const QueryCounters& queryCounters() const;
   /// What happened in the last step. \return events, valid until the next step
   Events events() const;
   /// The pairs that touch. \return in the order of their ids

@@ -26,6 +26,7 @@
 #include "carom/world/body.hpp"
 #include "carom/world/counters.hpp"
 #include "carom/world/events.hpp"
+#include "carom/world/ground.hpp"
 #include "carom/world/ids.hpp"
 #include "carom/world/pile.hpp"
 #include "carom/world/settings.hpp"
@@ -43,6 +44,8 @@ struct ShapeData {
   bool isBall = false;       ///< a ball
   bool isHalfSpace = false;  ///< a half-space
   bool usesAxes = false;     ///< manifolds with its like come from separating axes
+  std::shared_ptr<const Ground> ground =
+      {};  ///< if there is one, what `whole` says is of no account
 };
 
 /// A shape's place in a world. \ingroup world
@@ -51,6 +54,9 @@ struct ShapeSlot {
   bool alive = false;                     ///< whether the place is taken
   Index body = kNone;                     ///< whose it is
   std::shared_ptr<const ShapeData> data;  ///< the shape
+  Index item = 0;                         ///< of its ground, if it is a piece of one
+  bool isAsked = false;                   ///< the tree for queries knows it
+  bool isStale = false;                   ///< and has to be told where it is
   bool centred = false;                   ///< stands in the middle of its body, unturned
   Pose pose;                              ///< body's inner frame from shape
   Material material;                      ///< friction and bounce
@@ -207,6 +213,16 @@ struct Workspace {
   std::vector<SavedBody> macroBodies;    ///< bodies before a long step
   std::vector<PairSlot> macroPairs;      ///< pairs before a long step
   std::vector<SavedBody> ends;           ///< where tries have ended
+  Shape thin = ConvexHull();             ///< a face of a ground, to search first contacts with
+};
+
+/// The shapes as queries find them: brought up to date by the first query after a change.
+/// \ingroup world
+struct AskedShapes {
+  Tree<3> tree;              ///< boxes of the shapes, with room for rounding
+  std::vector<Index> stale;  ///< shapes that were added, placed or removed since
+  Real builtAt = -1;         ///< time of the world when it was brought up to date [s]
+  QueryCounters counters;    ///< of the last query
 };
 
 /// Everything. \ingroup world
@@ -240,6 +256,7 @@ struct WorldState {
   std::vector<ContactEvent> ended;       ///< of the last step
   std::vector<ImpactEvent> impacts;      ///< of the last step
   std::size_t endedBefore = 0;           ///< events in `ended` that a user has had a step to read
+  AskedShapes asked;                     ///< for queries
   Workspace work;                        ///< nothing that lasts
   Pile pile;                             ///< threads, and memory of piles
 };
@@ -259,6 +276,14 @@ inline bool isDynamic(const BodySlot& body) {
 /// \return world from shape \ingroup world
 inline Pose poseOfShape(const BodySlot& body, const ShapeSlot& shape) {
   return shape.centred ? body.pose : composed(body.pose, shape.pose);
+}
+
+/// Lets queries find a shape where it is now. \param state of the world \param shape its number
+/// \ingroup world
+inline void makeStale(WorldState& state, Index shape) {
+  if (state.shapes[at(shape)].isStale) return;
+  state.shapes[at(shape)].isStale = true;
+  state.asked.stale.push_back(shape);
 }
 
 /// The id of a body. \param state of the world \param body its number \return its id
