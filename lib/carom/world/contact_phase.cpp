@@ -160,6 +160,22 @@ void addPoint(WorkPatch& work, int pointOfManifold, const PatchPoint& point) {
 
 namespace {
 
+// On ground of many pieces each point rubs by itself. One body may stand on several pieces, and the
+// centre of pressure on each of them changes as soon as a corner goes from one to the next.
+void addPoints(WorldState& state, const WorkPatch& work) {
+  Real sum = 0;
+  for (int k = 0; k < work.patch.count; ++k) sum += work.patch.points[at(k)].impulse;
+  for (int k = 0; k < work.patch.count; ++k) {
+    const PatchPoint& point = work.patch.points[at(k)];
+    WorkPatch one = work;
+    one.patch.count = 0;
+    one.patch.twist = 0;
+    one.patch.rub *= sum > 0 ? point.impulse / sum : Real(1) / work.patch.count;
+    addPoint(one, work.pointOf[at(k)], point);
+    state.work.patches.push_back(one);
+  }
+}
+
 // The rows of one pair, with the forces of the last solution to start from.
 void addPatch(WorldState& state, const PhaseTask& task, Index index) {
   const PairSlot& pair = state.pairs[at(index)];
@@ -191,7 +207,11 @@ void addPatch(WorldState& state, const PhaseTask& task, Index index) {
   patch.slowest = (pair.sticks ? kStuck : kNone) * step + 1e-12;
   // A slip whose end nobody looks for must not be driven beyond it.
   if (task.speculative) patch.slowest = std::numeric_limits<Real>::infinity();
-  state.work.patches.push_back(work);
+  if (state.shapes[at(pair.shapeA)].data->ground && patch.count > 1) {
+    addPoints(state, work);
+  } else {
+    state.work.patches.push_back(work);
+  }
 }
 
 // External forces, and what a body's own turning does to its rate.
@@ -249,11 +269,14 @@ void storeForces(WorldState& state, Real start, Real duration) {
     for (int k = 0; k < one.patch.count; ++k) {
       pair.force[at(one.pointOf[at(k)])] = one.patch.points[at(k)].impulse / duration;
     }
-    pair.rub = one.patch.rub / duration;
-    pair.twist = one.patch.twist / duration;
-    const Real stop = stopTime(work.blocks[i], work.moving, duration);
-    pair.sticks = !atLimit(work.blocks[i]);
-    pair.stop = start + stop;
+    const Real stop = start + stopTime(work.blocks[i], work.moving, duration);
+    const bool sticks = !atLimit(work.blocks[i]);
+    // A pair may have several patches, one after the other.
+    const bool first = i == 0 || work.patches[i - 1].pair != one.pair;
+    pair.rub = one.patch.rub / duration + (first ? Vector3(Vector3::Zero()) : pair.rub);
+    pair.twist = one.patch.twist / duration + (first ? 0 : pair.twist);
+    pair.sticks = sticks && (first || pair.sticks);
+    pair.stop = first ? stop : std::min(stop, pair.stop);
   }
 }
 

@@ -137,6 +137,24 @@ Real wayIn(const BodySlot& body, const BodyState& now, const ShapeSlot& shape, R
   return straight + body.reach * rate * duration;
 }
 
+// How long it takes a body to turn by a quarter of a radian; of a long time at least some part.
+Real partOfTurn(const BodyState& now, Real duration) {
+  constexpr Real kTurn = 0.25;
+  constexpr int kMostParts = 64;
+  const Real rate = now.velocity.angular.norm();
+  if (rate * duration <= kTurn) return duration;
+  return std::max(kTurn / rate, duration / kMostParts);
+}
+
+// A body that touches and turns fast may come down with what is not in the manifold.
+Real searchTurned(WorldState& state, const PairSlot& pair, const Pose& pose, Real time, Real end) {
+  const Real part = partOfTurn(bodyAt(state, pair.bodyB, time), end - time);
+  for (Real later = time + part; later < end; later += part) {
+    if (touchAt(state, pair, pose, later) == Touch::strikes) return later;
+  }
+  return kNever;
+}
+
 // Looks for the first time at which the body strikes. A sheet may be touched from the side or from
 // behind before: that is passed over, a sixteenth of the time at once.
 Real searchStrike(WorldState& state, const PairSlot& pair, const Pose& pose, Real time, Real end) {
@@ -156,17 +174,29 @@ Real searchStrike(WorldState& state, const PairSlot& pair, const Pose& pose, Rea
     resting.start = edgePose(ground, a.item, pose);
   }
   const Shape& piece = ground.isFace(a.item) ? state.work.thin : line;
+  const BodySlot& body = state.bodies[at(pair.bodyB)];
+  // A body that glides along the sheet is near it all the time: that is not followed closely.
+  const ContactSearch search{.tolerance = state.settings.touchTolerance / 4, .maxSteps = 24};
   Real from = time;
-  for (int round = 0; round < kMost && from < end; ++round) {
+  constexpr int kMostRounds = 128;
+  for (int passed = 0, round = 0; passed < kMost && round < kMostRounds && from < end; ++round) {
     ++state.counters.firstContacts;
     const BodyState now = bodyAt(state, pair.bodyB, from);
-    const Sweep moving = sweepOf(state.bodies[at(pair.bodyB)], now, b);
-    const TimeOfImpact hit = firstContact(piece, resting, b.data->whole, moving, end - from);
-    if (hit.status == ImpactStatus::kNoHit) return kNever;
+    const Real steady =
+        std::min(end - from, body.turnsEvenly ? end - from : partOfTurn(now, end - time));
+    const Sweep moving = sweepOf(body, now, b);
+    const TimeOfImpact hit = firstContact(piece, resting, b.data->whole, moving, steady, search);
+    if (hit.status == ImpactStatus::kNoHit) {
+      from = from + steady < end ? from + steady : end;
+      continue;
+    }
     const Touch touch = touchAt(state, pair, pose, from + hit.time);
     if (touch == Touch::strikes) return from + hit.time;
     if (touch == Touch::holds) return kNever;
-    from += hit.time + (end - time) / kMost;
+    // A body that tumbles is not quite where the search has taken it: look again from there.
+    const bool again = hit.status == ImpactStatus::kHit && hit.time > 0;
+    from += again ? hit.time : hit.time + (end - time) / kMost;
+    passed += again ? 0 : 1;
   }
   return kNever;
 }
@@ -191,14 +221,19 @@ Real nextGroundContact(WorldState& state, Index index, Real time, Real end, Real
     const Pose placed = poseOf(now.orientation, now.position);
     const Real height = heightOverFace(ground, a.item, pose, b.data->convex,
                                        b.centred ? placed : composed(placed, b.pose));
-    if (height > way) return kNever;
+    // Too far in front, or so far behind that it cannot come in front of the plane before.
+    if (height > way || height < -way - gap) return kNever;
     // On its plane, here or beside it: what of the body is over the face is followed.
     const bool level = std::abs(height) <= gap + state.settings.restTolerance;
-    if (closed) return soon(std::min(followed, timeToEdge(state, pair, pose)));
-    if (level && isMade) return soon(followed);
+    if (closed || (level && isMade)) {
+      const Real next = soon(std::min(followed, closed ? timeToEdge(state, pair, pose) : kNever));
+      if (isCentredBall(b)) return next;
+      return std::min(next, searchTurned(state, pair, pose, time, end));
+    }
     if (level && !isCentredBall(b)) return kNever;
   } else if (closed) {
-    return soon(followed);
+    if (isCentredBall(b)) return soon(followed);
+    return std::min(soon(followed), searchTurned(state, pair, pose, time, end));
   }
   if (way <= gap) return kNever;
   return searchStrike(state, pair, pose, time, end);
