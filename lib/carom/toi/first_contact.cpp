@@ -5,7 +5,6 @@
 #include <limits>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "carom/core/checks.hpp"
 #include "carom/core/cross.hpp"
@@ -17,8 +16,8 @@ namespace carom {
 namespace {
 
 using detail::CoreShape;
+using detail::forEachCore;
 using detail::MovingCore;
-using detail::movingCores;
 using detail::PlacedCore;
 
 constexpr Real kUlp = std::numeric_limits<Real>::epsilon();
@@ -253,23 +252,15 @@ MovingCore planeOf(const HalfSpace& plane, const Sweep& sweep) {
   return part;
 }
 
-TimeOfImpact earliest(const std::vector<MovingCore>& as, const std::vector<MovingCore>& bs,
-                      const std::optional<Vector3>& plane, Real duration,
-                      const ContactSearch& search) {
-  TimeOfImpact best;
-  for (const MovingCore& a : as) {
-    for (const MovingCore& b : bs) {
-      const bool found = best.status != ImpactStatus::kNoHit;
-      TimeOfImpact next = Pair(a, b, plane).search(found ? best.time : duration, search);
-      next.steps += best.steps;
-      if (next.status != ImpactStatus::kNoHit && (!found || next.time < best.time)) {
-        best = next;
-      }
-      best.steps = next.steps;
-      if (best.status == ImpactStatus::kOverlapping) return best;
-    }
-  }
-  return best;
+// The earliest contact so far, and of one more pair of parts.
+void keepEarliest(const MovingCore& a, const MovingCore& b, const std::optional<Vector3>& plane,
+                  Real duration, const ContactSearch& search, TimeOfImpact& best) {
+  if (best.status == ImpactStatus::kOverlapping) return;
+  const bool found = best.status != ImpactStatus::kNoHit;
+  TimeOfImpact next = Pair(a, b, plane).search(found ? best.time : duration, search);
+  next.steps += best.steps;
+  if (next.status != ImpactStatus::kNoHit && (!found || next.time < best.time)) best = next;
+  best.steps = next.steps;
 }
 
 }  // namespace
@@ -283,17 +274,23 @@ TimeOfImpact firstContact(const Shape& a, const Sweep& A, const Shape& b, const 
   }
   const HalfSpace* planeA = std::get_if<HalfSpace>(&a);
   const HalfSpace* planeB = std::get_if<HalfSpace>(&b);
-  if (planeB) {
-    TimeOfImpact result = earliest({planeOf(*planeB, B)}, movingCores(a, A),
-                                   directionToWorld(B.start, planeB->normal), duration, search);
-    result.normal = -result.normal;
-    return result;
+  TimeOfImpact best;
+  if (planeA || planeB) {
+    const MovingCore floor = planeA ? planeOf(*planeA, A) : planeOf(*planeB, B);
+    const Vector3 normal = planeA ? directionToWorld(A.start, planeA->normal)
+                                  : directionToWorld(B.start, planeB->normal);
+    forEachCore(planeA ? b : a, planeA ? B : A, [&](const MovingCore& part) {
+      keepEarliest(floor, part, normal, duration, search, best);
+    });
+    if (planeB) best.normal = -best.normal;
+    return best;
   }
-  if (planeA) {
-    return earliest({planeOf(*planeA, A)}, movingCores(b, B),
-                    directionToWorld(A.start, planeA->normal), duration, search);
-  }
-  return earliest(movingCores(a, A), movingCores(b, B), std::nullopt, duration, search);
+  forEachCore(a, A, [&](const MovingCore& one) {
+    forEachCore(b, B, [&](const MovingCore& other) {
+      keepEarliest(one, other, std::nullopt, duration, search, best);
+    });
+  });
+  return best;
 }
 
 }  // namespace carom

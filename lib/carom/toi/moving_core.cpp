@@ -26,6 +26,8 @@ void forEachCorner(const CoreShape& core, const Visit& visit) {
   }
 }
 
+}  // namespace
+
 MovingCore movingCore(const CoreShape& core, const Sweep& sweep) {
   MovingCore moving = {core, sweep};
   const Real rate = length(sweep.angularVelocity);
@@ -38,28 +40,9 @@ MovingCore movingCore(const CoreShape& core, const Sweep& sweep) {
   return moving;
 }
 
-}  // namespace
-
 std::vector<MovingCore> movingCores(const Shape& shape, const Sweep& sweep) {
   std::vector<MovingCore> parts;
-  const auto add = [&](const auto& convex, const Pose& inBody) {
-    Sweep own = sweep;
-    own.start = composed(sweep.start, inBody);
-    own.centre = pointToBody(inBody, sweep.centre);
-    parts.push_back(movingCore(coreOf(convex), own));
-  };
-  std::visit(
-      [&](const auto& s) {
-        using S = std::decay_t<decltype(s)>;
-        if constexpr (std::is_same_v<S, Compound>) {
-          for (const CompoundPart& part : s.parts) {
-            std::visit([&](const auto& convex) { add(convex, part.pose); }, part.shape);
-          }
-        } else if constexpr (!std::is_same_v<S, HalfSpace>) {
-          add(s, Pose{});
-        }
-      },
-      shape);
+  forEachCore(shape, sweep, [&](const MovingCore& part) { parts.push_back(part); });
   return parts;
 }
 

@@ -4,6 +4,7 @@
 // Three lists: pairs of shapes that began to touch, pairs that ended, and impacts, each in the
 // order in which it happened, and for equal times by ids. They are valid until the next step.
 
+#include <cstdint>
 #include <span>
 
 #include "carom/core/real.hpp"
@@ -30,6 +31,7 @@ struct ImpactEvent {
   Vector3 normal = Vector3::Zero();  ///< unit, from A to B [1, world]
   Real approach = 0;                 ///< speed of approach before it [m/s]
   Real impulse = 0;                  ///< along the normal [N s]
+  std::int32_t number = 0;           ///< in the order in which the step found them
 };
 
 /// What happened in the last step. \ingroup world

@@ -176,7 +176,8 @@ Real searchStrike(WorldState& state, const PairSlot& pair, const Pose& pose, Rea
   const Shape& piece = ground.isFace(a.item) ? state.work.thin : line;
   const BodySlot& body = state.bodies[at(pair.bodyB)];
   // A body that glides along the sheet is near it all the time: that is not followed closely.
-  const ContactSearch search{.tolerance = state.settings.touchTolerance / 4, .maxSteps = 24};
+  const Real near = isCentredBall(b) ? 0 : state.settings.touchTolerance / 4;
+  const ContactSearch search{.tolerance = near, .maxSteps = 24};
   Real from = time;
   constexpr int kMostRounds = 128;
   for (int passed = 0, round = 0; passed < kMost && round < kMostRounds && from < end; ++round) {

@@ -43,7 +43,7 @@ void report(WorldState& state, Index index, int point, Real time, Real approach,
   const ContactEvent ids = eventOf(state, pair);
   state.impacts.push_back({ids.shapeA, ids.shapeB, ids.bodyA, ids.bodyB, time,
                            pair.manifold.points[at(point)].position, pair.manifold.normal, approach,
-                           impulse});
+                           impulse, 0});
 }
 
 // The closed points as contacts of chapter 5.

@@ -60,11 +60,17 @@ void reportContacts(WorldState& state) {
   };
   std::sort(state.begun.begin(), state.begun.end(), byIds);
   std::sort(state.ended.begin(), state.ended.end(), byIds);
-  std::stable_sort(state.impacts.begin(), state.impacts.end(),
-                   [](const ImpactEvent& a, const ImpactEvent& b) {
-                     if (a.time != b.time) return a.time < b.time;
-                     return a.shapeA != b.shapeA ? a.shapeA < b.shapeA : a.shapeB < b.shapeB;
-                   });
+  // Impacts of one pair at one time stay in the order in which they were found. A sort that is
+  // stable takes memory; so their numbers decide.
+  for (std::size_t i = 0; i < state.impacts.size(); ++i) {
+    state.impacts[i].number = static_cast<std::int32_t>(i);
+  }
+  std::sort(state.impacts.begin(), state.impacts.end(),
+            [](const ImpactEvent& a, const ImpactEvent& b) {
+              if (a.time != b.time) return a.time < b.time;
+              if (a.shapeA != b.shapeA) return a.shapeA < b.shapeA;
+              return a.shapeB != b.shapeB ? a.shapeB < b.shapeB : a.number < b.number;
+            });
   state.endedBefore = state.ended.size();
 }
 
