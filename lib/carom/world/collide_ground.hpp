@@ -6,8 +6,8 @@
 // over the face counts. Corners that the cut makes at sides where the ground goes on flat are left
 // out: the neighbour has the rest of the contact, and both together give the points that one floor
 // would give, a box four of them, however many triangles there are below it.
-// An edge is a line without thickness; a contact with it counts if its normal is one that the ground
-// has there.
+// An edge is a line without thickness; a contact with it counts if its normal is one that the
+// ground has there.
 // Source: as in ground.hpp; clipping: Sutherland and Hodgman 1974.
 // Not handled: a body that lies in the ground by more than rounding on both sides of a ridge.
 

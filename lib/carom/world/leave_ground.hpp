@@ -3,12 +3,12 @@
 //
 // Method: the point below its middle goes on a parabola; where that crosses a side behind which the
 // ground bends away or ends, the face lets go of it. On the edge itself it stays if gravity presses
-// it down by more than it takes to go round, v^2 / r; else it flies. So a ball that is fast leaves a
+// it down by more than it takes to go round, v^2 / r; else it flies. So a fast ball leaves a
 // table at its rim, and not one step later.
 // Why only balls: a box does not leave a face at one moment.
 // Source: the circle's acceleration, Huygens 1673; the events are those of advance_island.hpp.
-// Not handled: ridges of less than a thousandth of a radian, over which the face holds until the end
-// of the step; the turning of the normal within a step while a ball goes round a ridge.
+// Not handled: ridges of less than a thousandth of a radian, over which the face holds until the
+// end of the step; the turning of the normal within a step while a ball goes round a ridge.
 
 #include "carom/world/world_state.hpp"
 
