@@ -306,6 +306,8 @@ IslandRun advanceIsland(WorldState& state, Index index, Real start, Real end) {
   // What was not solved directly is hardly so in the next step.
   constexpr int kStrayFor = 8;
   state.work.mayFactor = island.strayFor == 0;
+  constexpr std::int64_t kSolutions = 4;  // that the budget of all events of a step is enough for
+  state.work.rowsLeft = kSolutions * state.settings.rowBudget;
   const std::int64_t givenUp = state.counters.islandsGivenUp;
   // An island whose contacts do not settle is not tried again in each step.
   constexpr int kHardFor = 60;
@@ -316,7 +318,10 @@ IslandRun advanceIsland(WorldState& state, Index index, Real start, Real end) {
     island.hardFor = kHardFor;
     run.byEvents = false;
   }
-  if (!run.byEvents) advanceAtOnce(state, index, start, end);
+  if (!run.byEvents) {
+    state.work.rowsLeft = kSolutions * state.settings.rowBudget;
+    advanceAtOnce(state, index, start, end);
+  }
   island.strayFor =
       state.counters.islandsGivenUp > givenUp ? kStrayFor : std::max(0, island.strayFor - 1);
   state.work.mayFactor = true;

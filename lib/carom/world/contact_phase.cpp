@@ -85,13 +85,18 @@ void moveArms(const WorldState& state, const PairSlot& pair, std::uint32_t id,
 bool solveBlocks(WorldState& state, Real scale) {
   Workspace& work = state.work;
   const IslandLimits limits{.sweeps = {.least = state.settings.iterations,
-                                       .rowBudget = state.settings.rowBudget,
+                                       .rowBudget = static_cast<int>(std::min<std::int64_t>(
+                                           state.settings.rowBudget, work.rowsLeft)),
                                        .speed = scale},
                             .direct = state.settings.directIslands,
                             .newton = work.mayFactor,
                             .directWork = state.settings.directWork};
   const IslandSolution done = solveIsland(work.newton, work.moving, work.blocks, limits);
   state.counters.rowsSolved += done.rows;
+  // Many events of one step share what one may cost, and what cannot be solved directly is not
+  // tried at the next event.
+  work.rowsLeft -= std::min(done.rows, work.rowsLeft);
+  if (done.factorisations > 0 && !done.direct) work.mayFactor = false;
   state.counters.islandsDirect += done.direct ? 1 : 0;
   state.counters.islandsGivenUp += done.factorisations > 0 && !done.direct ? 1 : 0;
   state.counters.factorisations += done.factorisations;

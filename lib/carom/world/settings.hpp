@@ -35,7 +35,7 @@ struct WorldSettings {
   bool directIslands = true;  ///< solve islands directly where sweeps gain little
 
   int iterations = 10;      ///< sweeps over the rows of an island, at least; positive
-  int rowBudget = 100'000;  ///< sweeps go on until they change nothing, or this many rows
+  int rowBudget = 100'000;  ///< sweeps go on until nothing changes or so many rows were visited
   int eventContacts = 64;   ///< islands with more closed contacts than this take no events
   int pileContacts = 512;   ///< islands with more closed contacts than this are piles: soft steps
   int pileBodies = 300;     ///< so are islands of more bodies that do not bounce

@@ -192,18 +192,19 @@ struct SavedBody {
 
 /// Memory that stages use again in each step. \ingroup world
 struct Workspace {
-  std::vector<MovingBody> moving;        ///< bodies as the solver sees them
-  std::vector<Index> members;            ///< whose they are
-  std::vector<WorkPatch> patches;        ///< what touches
-  std::vector<ContactBlock> blocks;      ///< the same, prepared
-  std::vector<Index> set;                ///< bodies that something has happened to
-  std::vector<Index> setPairs;           ///< pairs of these
-  std::vector<Index> innerPairs;         ///< of these, pairs whose bodies are all in the set
-  std::vector<Index> labels;             ///< of bodies, while islands are looked for
-  std::vector<IndexPair> links;          ///< pairs of local numbers
-  std::vector<std::uint8_t> flags;       ///< one per local body
-  bool mayFactor = true;                 ///< the island at hand may be solved directly
-  IslandNewton newton;                   ///< for islands that are solved directly
+  std::vector<MovingBody> moving;    ///< bodies as the solver sees them
+  std::vector<Index> members;        ///< whose they are
+  std::vector<WorkPatch> patches;    ///< what touches
+  std::vector<ContactBlock> blocks;  ///< the same, prepared
+  std::vector<Index> set;            ///< bodies that something has happened to
+  std::vector<Index> setPairs;       ///< pairs of these
+  std::vector<Index> innerPairs;     ///< of these, pairs whose bodies are all in the set
+  std::vector<Index> labels;         ///< of bodies, while islands are looked for
+  std::vector<IndexPair> links;      ///< pairs of local numbers
+  std::vector<std::uint8_t> flags;   ///< one per local body
+  bool mayFactor = true;             ///< the island at hand may be solved directly
+  std::int64_t rowsLeft = 0;  ///< rows that sweeps over this island may still visit in this step
+  IslandNewton newton;        ///< for islands that are solved directly
   std::vector<BodyContact> contacts;     ///< of impacts
   std::vector<Index> contactPairs;       ///< whose
   std::vector<BodyBefore> bodiesBefore;  ///< of an island that may be still
