@@ -2,8 +2,8 @@
 //
 // Twelve wedges make half a circle of stone, without mortar. Statics says that it stands if it is
 // thicker than 10.49% of its radius: then a line of thrust fits into the stones (Milankovitch 1907,
-// Heyman 1966). In the world, with friction so large that nothing slides, four arches stand side by
-// side: a tenth thicker than that, a little thicker, a little thinner, and a tenth thinner.
+// Heyman 1966). In the world, with the friction of stone, four arches stand side by side: a tenth
+// thicker than that, a little thicker, a little thinner, and a tenth thinner.
 
 #include <algorithm>
 #include <array>
@@ -66,8 +66,8 @@ int main(int argc, char** argv) {
                                  "From the left: 10% thicker than the limit, 2% thicker, 2% "
                                  "thinner and 10% thinner. The two thin ones fall.");
   recording.addFixed("ground", carom::io::Plane{.size = 14, .gridStep = 1});
-  const carom::world::Material rough{.friction = 4};
-  carom::world::World world({.rowBudget = 20000, .eventContacts = 0});
+  const carom::world::Material rough{.friction = 0.7};
+  carom::world::World world({.eventContacts = 0});
   world.add({.kind = carom::world::BodyKind::immovable,
              .shapes = {{.shape = carom::makeHalfSpace(Vector3::UnitZ(), Vector3::Zero()),
                          .material = rough}}});
