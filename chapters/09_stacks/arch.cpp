@@ -67,7 +67,7 @@ int main(int argc, char** argv) {
                                  "thinner and 10% thinner. The two thin ones fall.");
   recording.addFixed("ground", carom::io::Plane{.size = 14, .gridStep = 1});
   const carom::world::Material rough{.friction = 0.7};
-  carom::world::World world({.eventContacts = 0});
+  carom::world::World world;
   world.add({.kind = carom::world::BodyKind::immovable,
              .shapes = {{.shape = carom::makeHalfSpace(Vector3::UnitZ(), Vector3::Zero()),
                          .material = rough}}});
