@@ -34,8 +34,8 @@ struct Wrong {
   std::string check;              ///< the check that must fail on it
   std::vector<std::string> also;  ///< what else may fail with it, because it leans on the same
   /// Whether a check is its own or one of those.
-  bool mayFail(const std::string& name) const {
-    return name == check || std::find(also.begin(), also.end(), name) != also.end();
+  bool mayFail(const std::string& one) const {
+    return one == check || std::find(also.begin(), also.end(), one) != also.end();
   }
 };
 
