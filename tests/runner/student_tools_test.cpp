@@ -137,10 +137,11 @@ TEST_CASE("nobody earns points with cases that do not test: each of these gains 
            "  const bool first = !std::ifstream(note).good();\n"
            "  if (first) std::ofstream(note) << 1;\n  else std::remove(note);\n"
            "  CHECK(v == v);\n  CHECK(first);\n}\n"},
+      // Rarely, because a coin that falls evenly wins a check now and then.
       {"fails by the clock",
        "TEST_CASE(\"t\") {\n" + call +
            "  const auto t = std::chrono::system_clock::now().time_since_epoch().count();\n"
-           "  CHECK(v == v);\n  CHECK(t / 1000 % 2 == 0);\n}\n"},
+           "  CHECK(v == v);\n  CHECK(t / 1000 % 256 != 0);\n}\n"},
       {"fails when the function is at an odd page",
        "TEST_CASE(\"t\") {\n" + call +
            "  const auto place = reinterpret_cast<std::uintptr_t>(&aabbOverlap);\n"
