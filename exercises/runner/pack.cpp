@@ -1,8 +1,12 @@
 #include "runner/pack.hpp"
 
+#include <archive.h>
+#include <archive_entry.h>
 #include <openssl/evp.h>
 
 #include <algorithm>
+#include <ctime>
+#include <memory>
 #include <set>
 
 #include "grading/process.hpp"
@@ -112,38 +116,42 @@ std::vector<PackedFile> filesToPack(const Project& project,
 
 void writePack(const Project& project, const std::vector<PackedFile>& files, const fs::path& zip) {
   const WorkFolder work(project);
+  const fs::path fresh = work.path() / "pack.zip";
+  const std::unique_ptr<archive, int (*)(archive*)> out(archive_write_new(), archive_write_free);
+  const auto require = [&](int result) {
+    if (result == ARCHIVE_OK) return;
+    const char* why = archive_error_string(out.get());
+    throw Failure{ourFault, std::string("the archive could not be written: ") + (why ? why : "")};
+  };
+  require(archive_write_set_format_zip(out.get()));
+  require(archive_write_open_filename(out.get(), fresh.c_str()));
+  const auto add = [&](const std::string& name, const std::string& content) {
+    const std::unique_ptr<archive_entry, void (*)(archive_entry*)> entry(archive_entry_new(),
+                                                                         archive_entry_free);
+    archive_entry_set_pathname(entry.get(), name.c_str());
+    archive_entry_set_size(entry.get(), static_cast<la_int64_t>(content.size()));
+    archive_entry_set_filetype(entry.get(), AE_IFREG);
+    archive_entry_set_perm(entry.get(), 0644);
+    // One time for all, and no other: the same answers make the same archive.
+    constexpr std::time_t kNewYear2000 = 946684800;
+    archive_entry_set_mtime(entry.get(), kNewYear2000, 0);
+    require(archive_write_header(out.get(), entry.get()));
+    if (archive_write_data(out.get(), content.data(), content.size()) < 0) require(ARCHIVE_FATAL);
+  };
   json list = json::array();
-  std::vector<std::string> names = {"carom-pack.json"};
   for (const auto& file : files) {
     list.push_back({{"id", file.exercise->id},
                     {"path", file.path},
                     {"sha256", file.hash},
                     {"bytes", file.bytes},
                     {"untouched", file.untouched}});
-    writeFile(work.path() / file.path, readFile(project.root / file.path));
-    names.push_back(file.path);
   }
-  writeFile(work.path() / "carom-pack.json", json{{"carom", project.manifest.value("edition", "")},
-                                                  {"commit", commitOf(project)},
-                                                  {"files", list}}
-                                                     .dump(1) +
-                                                 "\n");
-  const fs::path fresh = work.path() / "pack.zip";
-  grading::Command command;
-  // One time for all: the same answers make the same archive.
-  command.words = {project.text("cmake"),
-                   "-E",
-                   "tar",
-                   "cf",
-                   fresh.string(),
-                   "--format=zip",
-                   "--mtime=2000-01-01 00:00:00 UTC",
-                   "--"};
-  command.words.insert(command.words.end(), names.begin(), names.end());
-  command.directory = work.path().string();
-  command.environment = {"LC_ALL=C.UTF-8"};
-  const auto done = grading::run(command);
-  if (!done.ok()) throw Failure{ourFault, "the archive could not be written: " + done.output};
+  const json facts{{"carom", project.manifest.value("edition", "")},
+                   {"commit", commitOf(project)},
+                   {"files", list}};
+  add("carom-pack.json", facts.dump(1) + "\n");
+  for (const auto& file : files) add(file.path, readFile(project.root / file.path));
+  require(archive_write_close(out.get()));
   std::error_code error;
   if (zip.has_parent_path()) fs::create_directories(zip.parent_path(), error);
   fs::copy_file(fresh, zip, fs::copy_options::overwrite_existing, error);
