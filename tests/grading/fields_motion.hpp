@@ -53,10 +53,23 @@ struct Fields<StepError> {
 };
 
 template <>
-struct Fields<Tolerance> {
+struct Fields<StepTry> {
   static constexpr auto list =
-      fieldList("relative", &Tolerance::relative, "absolute", &Tolerance::absolute, "maxSteps",
-                &Tolerance::maxSteps);
+      fieldList("length", &StepTry::length, "left", &StepTry::left, "duration", &StepTry::duration,
+                "error", &StepTry::error, "tolerance", &StepTry::tolerance, "order",
+                &StepTry::order, "refusedBefore", &StepTry::refusedBefore);
+};
+
+template <>
+struct Fields<StepChoice> {
+  static constexpr auto list = fieldList("accepted", &StepChoice::accepted, "wanted",
+                                         &StepChoice::wanted, "next", &StepChoice::next);
+};
+
+template <>
+struct Fields<Tolerance> {
+  static constexpr auto list = fieldList("relative", &Tolerance::relative, "absolute",
+                                         &Tolerance::absolute, "maxSteps", &Tolerance::maxSteps);
 };
 
 template <>

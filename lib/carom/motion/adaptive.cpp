@@ -15,6 +15,17 @@ void requireUsable(const Tolerance& tolerance) {
   }
 }
 
+void requireUsable(const StepTry& done) {
+  requirePositive(done.length, "length");
+  requirePositive(done.duration, "duration");
+  requirePositive(done.left, "left");
+  requirePositive(done.tolerance, "tolerance");
+  if (done.left < done.length)
+    reject("left", toText(done.left), "must be at least the step's length");
+  if (done.error < 0) reject("error", toText(done.error), "must not be negative");
+  if (done.order < 1) reject("order", std::to_string(done.order), "must be positive");
+}
+
 Real stepFactor(Real ratio, int order) {
   if (order < 1) reject("order", std::to_string(order), "must be positive");
   constexpr Real kSafety = 0.9, kSmallest = 0.2, kLargest = 5;

@@ -27,6 +27,30 @@ void requireUsable(const Tolerance& tolerance);
 /// \ingroup motion
 Real stepFactor(Real ratio, int order);
 
+/// A step that was tried on a way whose tolerance is for all of it. \ingroup motion
+struct StepTry {
+  Real length = 0;             ///< of the step, positive [s]
+  Real left = 0;               ///< from the start of the step to the end, at least `length` [s]
+  Real duration = 0;           ///< from the start of the way to its end, positive [s]
+  Real error = 0;              ///< of the step; infinite or not a number if it went wrong [m]
+  Real tolerance = 0;          ///< error allowed at the end of the way, positive [m]
+  int order = 1;               ///< of the method: a step's error goes with length^(order + 1)
+  bool refusedBefore = false;  ///< the step before this one was made again, and this is it
+};
+
+/// What becomes of a step that was tried. \ingroup motion
+struct StepChoice {
+  bool accepted = false;  ///< it is good; if not, it has to be made again
+  Real wanted = 0;        ///< length of the next step, if there were no end [s]
+  Real next = 0;          ///< the same as it has to be near the end; zero at the end [s]
+};
+
+/// Refuses a step that nothing can be said about. \param done any step
+/// \throws InvalidInput if a length, a time, the tolerance or the order is not positive and finite,
+/// less is left than the step is long, or the error is negative
+/// \ingroup motion
+void requireUsable(const StepTry& done);
+
 /// How a run with chosen steps ended. \ingroup motion
 enum class AdaptiveStatus {
   kReachedEnd,    ///< the state is that at the end

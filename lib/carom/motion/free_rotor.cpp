@@ -53,8 +53,10 @@ FreeRotor::FreeRotor(const Vector3& moments, const RotorState& anchor, Real time
     return sum;
   };
   std::array<int, 3> sorted = {0, 1, 2};
-  std::stable_sort(sorted.begin(), sorted.end(),
-                   [&](int i, int j) { return moments[i] < moments[j]; });
+  // Of equal ones the first goes first: a sort that is stable takes memory.
+  std::sort(sorted.begin(), sorted.end(), [&](int i, int j) {
+    return moments[i] != moments[j] ? moments[i] < moments[j] : i < j;
+  });
   // Axis 2 is the middle one, axis 3 the one about which L goes round in the body.
   const bool aboutSmallest = excess(sorted[1]) >= 0;
   axes_ = {sorted[aboutSmallest ? 2 : 0], sorted[1], sorted[aboutSmallest ? 0 : 2]};

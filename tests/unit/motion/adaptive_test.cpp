@@ -13,6 +13,7 @@
 #include "carom/motion/jacobi_elliptic.hpp"
 #include "carom/motion/measure_order.hpp"
 #include "carom/motion/rk_adaptive.hpp"
+#include "carom/motion/step_controller.hpp"
 #include "carom/motion/trajectory.hpp"
 #include "carom/motion/velocity_verlet.hpp"
 #include "carom/motion/yoshida.hpp"
@@ -389,6 +390,57 @@ TEST_CASE("the next step follows the error's power, within limits") {
   CHECK(stepFactor(1e30, 5) == 0.2);
   CHECK(stepFactor(std::numeric_limits<Real>::infinity(), 5) == 0.2);
   CHECK_THROWS_WITH(stepFactor(0.5, 0), ContainsSubstring("order = 0"));
+}
+
+TEST_CASE("on a way with one tolerance for all of it, the shares of the steps add up") {
+  // y' = -y by the trapezoidal rule, whose error is known here: of order two.
+  for (const Real tolerance : {1e-3, 1e-6, 1e-9}) {
+    Real y = 1, now = 0, length = 0.01;
+    int steps = 0, refused = 0;
+    bool again = false;
+    while (now < 2) {
+      const Real after = y * (1 - length / 2) / (1 + length / 2);
+      const Real error = std::abs(after - y * std::exp(-length));
+      const StepChoice choice = stepController({.length = length,
+                                                .left = 2 - now,
+                                                .duration = 2,
+                                                .error = error,
+                                                .tolerance = tolerance,
+                                                .order = 2,
+                                                .refusedBefore = again});
+      again = !choice.accepted;
+      if (choice.accepted) {
+        y = after;
+        now = length == 2 - now ? 2 : now + length;
+        ++steps;
+      } else {
+        ++refused;
+      }
+      length = std::min(choice.next, 2 - now);
+      REQUIRE(steps + refused < 200000);
+    }
+    INFO("tolerance " << tolerance << ": " << steps << " steps, " << refused << " refused");
+    CHECK(std::abs(y - std::exp(-2.0)) < tolerance);
+    CHECK(std::abs(y - std::exp(-2.0)) > tolerance / 20);
+    CHECK(refused < 5);
+  }
+}
+
+TEST_CASE("a step that was tried has to be one") {
+  const StepTry good{.length = 1, .left = 2, .duration = 3, .error = 0, .tolerance = 1e-3};
+  CHECK(stepController(good).accepted);
+  const auto refuses = [&](const char* name, auto change) {
+    StepTry bad = good;
+    change(bad);
+    CHECK_THROWS_WITH(stepController(bad), ContainsSubstring(name));
+  };
+  refuses("length", [](StepTry& t) { t.length = 0; });
+  refuses("length", [](StepTry& t) { t.length = kNan; });
+  refuses("left", [](StepTry& t) { t.left = 0.5; });
+  refuses("duration", [](StepTry& t) { t.duration = -1; });
+  refuses("error", [](StepTry& t) { t.error = -1e-9; });
+  refuses("tolerance", [](StepTry& t) { t.tolerance = 0; });
+  refuses("order", [](StepTry& t) { t.order = 0; });
 }
 
 TEST_CASE("tolerances and states that cannot be are refused") {
