@@ -57,7 +57,8 @@ struct KeptThreads::Crew {
       if ((now & 1u) != 0) return;
       seen = now;
       runPart(part);
-      working.fetch_sub(1, std::memory_order_release);
+      // The last one wakes the caller, should that have gone to sleep.
+      if (working.fetch_sub(1, std::memory_order_acq_rel) == 1) working.notify_one();
     }
   }
 };
@@ -92,12 +93,15 @@ void KeptThreads::share(std::size_t count, std::size_t grain, Work work, void* w
   crew.round.fetch_add(2, std::memory_order_release);
   crew.round.notify_all();
   crew.runPart(0);
-  for (int i = 0; crew.working.load(std::memory_order_acquire) != 0; ++i) {
-    if (i < kLooks) {
-      breathe();
-    } else {
-      std::this_thread::yield();
-    }
+  std::uint32_t left = crew.working.load(std::memory_order_acquire);
+  for (int i = 0; left != 0 && i < kLooks; ++i) {
+    breathe();
+    left = crew.working.load(std::memory_order_acquire);
+  }
+  // Who is late may wait for a processor: then it had better get this one.
+  while (left != 0) {
+    crew.working.wait(left, std::memory_order_acquire);
+    left = crew.working.load(std::memory_order_acquire);
   }
 }
 

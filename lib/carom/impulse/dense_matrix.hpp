@@ -24,6 +24,14 @@ class DenseMatrix {
         columns_(columns),
         values_(static_cast<std::size_t>(rows) * static_cast<std::size_t>(columns)) {}
 
+  /// Makes it a matrix of zeros, in the memory that it has. \param rows zero or more
+  /// \param columns zero or more
+  void reset(int rows, int columns) {
+    rows_ = rows;
+    columns_ = columns;
+    values_.assign(static_cast<std::size_t>(rows) * static_cast<std::size_t>(columns), 0);
+  }
+
   /// \return number of rows
   int rows() const {
     return rows_;

@@ -29,8 +29,11 @@ constexpr Real kTie = 1e-13;
 // The tableau of w - M z - z0 = q. Columns: w, z, z0, right side.
 class Tableau {
  public:
-  Tableau(const DenseMatrix& M, const std::vector<Real>& q)
-      : n_(M.rows()), rows_(n_, 2 * n_ + 2), basis_(q.size()) {
+  Tableau(const DenseMatrix& M, const std::vector<Real>& q, DenseMatrix& rows,
+          std::vector<int>& basis)
+      : n_(M.rows()), rows_(rows), basis_(basis) {
+    rows_.reset(n_, 2 * n_ + 2);
+    basis_.resize(q.size());
     for (int i = 0; i < n_; ++i) {
       basis_[at(i)] = i;
       rows_(i, i) = 1;
@@ -116,15 +119,17 @@ class Tableau {
   }
 
   int n_;
-  DenseMatrix rows_;
-  std::vector<int> basis_;
+  DenseMatrix& rows_;
+  std::vector<int>& basis_;
 };
 
 // Gaussian elimination with partial pivoting, kept for several right sides.
 class Elimination {
  public:
-  explicit Elimination(DenseMatrix m) : m_(std::move(m)), order_(at(m_.rows())) {
+  // Takes m apart.
+  Elimination(DenseMatrix& m, std::vector<int>& order) : m_(m), order_(order) {
     const int n = m_.rows();
+    order_.resize(at(n));
     for (int i = 0; i < n; ++i) order_[at(i)] = i;
     for (int k = 0; k < n; ++k) {
       int best = k;
@@ -150,9 +155,9 @@ class Elimination {
     return singular_;
   }
 
-  std::vector<Real> solve(const std::vector<Real>& b) const {
+  void solve(const std::vector<Real>& b, std::vector<Real>& x) const {
     const int n = m_.rows();
-    std::vector<Real> x(at(n));
+    x.resize(at(n));
     for (int i = 0; i < n; ++i) {
       x[at(i)] = b[at(order_[at(i)])];
       for (int j = 0; j < i; ++j) x[at(i)] -= m_(i, j) * x[at(j)];
@@ -161,40 +166,42 @@ class Elimination {
       for (int j = i + 1; j < n; ++j) x[at(i)] -= m_(i, j) * x[at(j)];
       x[at(i)] /= m_(i, i);
     }
-    return x;
   }
 
  private:
-  DenseMatrix m_;
-  std::vector<int> order_;
+  DenseMatrix& m_;
+  std::vector<int>& order_;
   bool singular_ = false;
 };
 
-// M_AA z_A = -q_A for the active A, refined with residuals of twice the digits; empty if singular.
-std::vector<Real> activeSolution(const DenseMatrix& M, const std::vector<Real>& q,
-                                 const std::vector<int>& active) {
-  const int n = static_cast<int>(active.size());
-  DenseMatrix part(n, n);
+// M_AA z_A = -q_A for the active A, refined with residuals of twice the digits, in memory.refined.
+// Returns false if M_AA is singular.
+bool solveActive(ComplementarityMemory& memory) {
+  const int n = static_cast<int>(memory.active.size());
+  DenseMatrix& part = memory.part;
+  part.reset(n, n);
   for (int i = 0; i < n; ++i) {
-    for (int j = 0; j < n; ++j) part(i, j) = M(active[at(i)], active[at(j)]);
+    for (int j = 0; j < n; ++j) {
+      part(i, j) = memory.scaled(memory.active[at(i)], memory.active[at(j)]);
+    }
   }
-  const Elimination elimination(part);
-  if (elimination.singular()) return {};
-  std::vector<DoubleDouble> z(at(n));
+  memory.eliminated = part;
+  const Elimination elimination(memory.eliminated, memory.order);
+  if (elimination.singular()) return false;
+  std::vector<DoubleDouble>& z = memory.refined;
+  z.assign(at(n), DoubleDouble{});
+  memory.residual.resize(at(n));
   constexpr int kRefinements = 4;  // each gains the digits that the elimination has right
   for (int round = 0; round < kRefinements; ++round) {
-    std::vector<Real> residual(at(n));
     for (int i = 0; i < n; ++i) {
-      DoubleDouble sum{-q[at(active[at(i)])], 0};
+      DoubleDouble sum{-memory.scaledQ[at(memory.active[at(i)])], 0};
       for (int j = 0; j < n; ++j) sum = sum - DoubleDouble{part(i, j), 0} * z[at(j)];
-      residual[at(i)] = sum.high;
+      memory.residual[at(i)] = sum.high;
     }
-    const std::vector<Real> step = elimination.solve(residual);
-    for (int i = 0; i < n; ++i) z[at(i)] += DoubleDouble{step[at(i)], 0};
+    elimination.solve(memory.residual, memory.step);
+    for (int i = 0; i < n; ++i) z[at(i)] += DoubleDouble{memory.step[at(i)], 0};
   }
-  std::vector<Real> rounded(at(n));
-  for (int i = 0; i < n; ++i) rounded[at(i)] = z[at(i)].high;
-  return rounded;
+  return true;
 }
 
 // The power of two next to 1/sqrt(x): scaling with it costs no digit.
@@ -218,15 +225,28 @@ void check(const DenseMatrix& M, std::span<const Real> q) {
 }  // namespace
 
 Complementarity solveComplementarity(const DenseMatrix& M, std::span<const Real> q) {
+  ComplementarityMemory memory;
+  Complementarity result;
+  solveComplementarity(M, q, memory, result);
+  return result;
+}
+
+void solveComplementarity(const DenseMatrix& M, std::span<const Real> q,
+                          ComplementarityMemory& memory, Complementarity& result) {
   check(M, q);
   const int n = M.rows();
-  Complementarity result;
+  result.status = ComplementarityStatus::solved;
+  result.pivots = 0;
+  result.residual = 0;
   result.z.assign(q.size(), 0);
-  if (std::all_of(q.begin(), q.end(), [](Real x) { return x >= 0; })) return result;
+  if (std::all_of(q.begin(), q.end(), [](Real x) { return x >= 0; })) return;
 
   // Scaled so that the diagonal is about one, also for masses of many decades.
-  std::vector<Real> scale(q.size()), scaledQ(q.size());
-  DenseMatrix scaled(n, n);
+  std::vector<Real>&scale = memory.scale, &scaledQ = memory.scaledQ;
+  scale.resize(q.size());
+  scaledQ.resize(q.size());
+  DenseMatrix& scaled = memory.scaled;
+  scaled.reset(n, n);
   for (int i = 0; i < n; ++i) scale[at(i)] = evenScale(M(i, i));
   Real largest = 0;
   for (int i = 0; i < n; ++i) {
@@ -237,7 +257,7 @@ Complementarity solveComplementarity(const DenseMatrix& M, std::span<const Real>
   const Real unit = std::ldexp(1.0, std::ilogb(largest));
   for (Real& value : scaledQ) value /= unit;
 
-  Tableau tableau(scaled, scaledQ);
+  Tableau tableau(scaled, scaledQ, memory.tableau, memory.basis);
   int left = tableau.pivot(tableau.worstRow(), tableau.artificial());
   result.pivots = 1;
   const int most = 50 * n + 100;  // problems with contacts need about n
@@ -247,13 +267,14 @@ Complementarity solveComplementarity(const DenseMatrix& M, std::span<const Real>
     if (row < 0 || result.pivots == most) {
       result.status = row < 0 ? ComplementarityStatus::ray : ComplementarityStatus::pivotLimit;
       result.z.clear();
-      return result;
+      return;
     }
     left = tableau.pivot(row, entering);
     ++result.pivots;
   }
 
-  std::vector<int> active;
+  std::vector<int>& active = memory.active;
+  active.clear();
   for (int i = 0; i < n; ++i) {
     const int variable = tableau.basic(i);
     if (variable < n) continue;
@@ -261,9 +282,10 @@ Complementarity solveComplementarity(const DenseMatrix& M, std::span<const Real>
     result.z[at(variable - n)] = std::max(0.0, tableau.value(i));
   }
   std::sort(active.begin(), active.end());
-  const std::vector<Real> refined = activeSolution(scaled, scaledQ, active);
-  for (std::size_t i = 0; i < refined.size(); ++i) {
-    result.z[at(active[i])] = std::max(0.0, refined[i]);
+  if (solveActive(memory)) {
+    for (std::size_t i = 0; i < active.size(); ++i) {
+      result.z[at(active[i])] = std::max(0.0, memory.refined[i].high);
+    }
   }
 
   for (int i = 0; i < n; ++i) {
@@ -273,7 +295,6 @@ Complementarity solveComplementarity(const DenseMatrix& M, std::span<const Real>
     result.residual = std::max(result.residual, wrong);
   }
   for (int i = 0; i < n; ++i) result.z[at(i)] *= scale[at(i)] * unit;
-  return result;
 }
 
 }  // namespace carom

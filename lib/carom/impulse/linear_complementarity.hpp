@@ -22,6 +22,7 @@
 
 #include "carom/core/real.hpp"
 #include "carom/impulse/dense_matrix.hpp"
+#include "carom/precision/double_double.hpp"
 
 namespace carom {
 
@@ -40,6 +41,23 @@ struct Complementarity {
   Real residual = 0;  ///< largest of -w_i, and of |w_i| where z_i > 0, beside the largest |q_i| [1]
 };
 
+/// Memory of a search, used again by the next one: who searches often asks for it once.
+/// \ingroup impulse
+struct ComplementarityMemory {
+  DenseMatrix scaled;                 ///< M with a diagonal of about one
+  DenseMatrix tableau;                ///< of the pivots
+  DenseMatrix part;                   ///< rows and columns that push
+  DenseMatrix eliminated;             ///< the same, taken apart
+  std::vector<Real> scale;            ///< of each row
+  std::vector<Real> scaledQ;          ///< q in these
+  std::vector<Real> residual;         ///< of a refinement
+  std::vector<Real> step;             ///< that it takes
+  std::vector<DoubleDouble> refined;  ///< the solution with twice the digits
+  std::vector<int> basis;             ///< variable of each row of the tableau
+  std::vector<int> active;            ///< rows that push
+  std::vector<int> order;             ///< of rows, in the elimination
+};
+
 /// Solves w = M z + q, z >= 0, w >= 0, z . w = 0.
 /// \param M square matrix; a solution is found if it is positive semi-definite and there is one, or
 /// if it is positive definite
@@ -48,5 +66,13 @@ struct Complementarity {
 /// \throws InvalidInput if M is not square, q has another length, or a number is not finite
 /// \ingroup impulse
 Complementarity solveComplementarity(const DenseMatrix& M, std::span<const Real> q);
+
+/// The same without asking for memory, once what is given has its largest size.
+/// \param M square matrix \param q as many numbers as M has rows
+/// \param memory of any earlier search \param result takes the answer
+/// \throws InvalidInput as the other one
+/// \ingroup impulse
+void solveComplementarity(const DenseMatrix& M, std::span<const Real> q,
+                          ComplementarityMemory& memory, Complementarity& result);
 
 }  // namespace carom

@@ -18,7 +18,7 @@ namespace carom {
 
 namespace {
 
-using Numbers = std::vector<int>;
+using Numbers = std::span<const int>;
 
 std::size_t at(int i) {
   return static_cast<std::size_t>(i);
@@ -31,8 +31,9 @@ bool movable(const MovingBody& body) {
 // The bodies and contacts of one call.
 class Scene {
  public:
-  Scene(std::span<MovingBody> bodies, std::span<const BodyContact> contacts, bool stopsSlip)
-      : bodies_(bodies), contacts_(contacts), group_(bodies.size()), stopsSlip_(stopsSlip) {}
+  Scene(std::span<MovingBody> bodies, std::span<const BodyContact> contacts, bool stopsSlip,
+        ImpactMemory& memory)
+      : bodies_(bodies), contacts_(contacts), memory_(memory), stopsSlip_(stopsSlip) {}
 
   int count() const {
     return static_cast<int>(contacts_.size());
@@ -102,7 +103,7 @@ class Scene {
   }
 
   // Whether contacts are points of one area: of the same two bodies, along one normal.
-  bool isArea(const Numbers& group) const {
+  bool isArea(Numbers group) const {
     const BodyContact& first = contact(group[0]);
     return std::all_of(group.begin(), group.end(), [&](int i) {
       const BodyContact& c = contact(i);
@@ -113,7 +114,7 @@ class Scene {
 
   // Contacts of one area, with friction: as one contact at the centre of their pressure, which is
   // the same along the normal. What is left of the cone brakes the turning about it.
-  void hitArea(const Numbers& group, const std::vector<Real>& stopping, Real restitution,
+  void hitArea(Numbers group, const std::vector<Real>& stopping, Real restitution,
                std::vector<Real>& sums) {
     Real pressed = 0;
     for (const Real z : stopping) pressed += z;
@@ -135,25 +136,48 @@ class Scene {
     }
   }
 
-  // Sorts contacts into groups that are joined by bodies which can move.
-  std::vector<Numbers> groupsOf(const Numbers& active) {
-    std::iota(group_.begin(), group_.end(), 0);
+  // Sorts contacts into groups that are joined by bodies which can move. Returns how many.
+  std::size_t sortIntoGroups(Numbers active) {
+    std::vector<int>& roots = memory_.roots;
+    roots.resize(bodies_.size());
+    std::iota(roots.begin(), roots.end(), 0);
     for (const int i : active) {
       const int a = contact(i).bodyA, b = contact(i).bodyB;
-      if (movable(bodies_[at(a)]) && movable(bodies_[at(b)])) group_[at(rootOf(a))] = rootOf(b);
+      if (movable(bodies_[at(a)]) && movable(bodies_[at(b)])) roots[at(rootOf(a))] = rootOf(b);
     }
-    std::vector<Numbers> groups;
-    Numbers groupOfRoot(group_.size(), -1);
-    for (const int i : active) {
+    const auto rootOfContact = [&](int i) {
       const int a = contact(i).bodyA;
-      const int root = rootOf(movable(bodies_[at(a)]) ? a : contact(i).bodyB);
-      if (groupOfRoot[at(root)] < 0) {
-        groupOfRoot[at(root)] = static_cast<int>(groups.size());
-        groups.emplace_back();
+      return rootOf(movable(bodies_[at(a)]) ? a : contact(i).bodyB);
+    };
+    // Groups are numbered as they come; contacts keep their order in them.
+    std::vector<int>& starts = memory_.starts;
+    starts.clear();
+    memory_.groupOfRoot.assign(roots.size(), -1);
+    for (const int i : active) {
+      int& group = memory_.groupOfRoot[at(rootOfContact(i))];
+      if (group < 0) {
+        group = static_cast<int>(starts.size());
+        starts.push_back(0);
       }
-      groups[at(groupOfRoot[at(root)])].push_back(i);
+      ++starts[at(group)];
     }
-    return groups;
+    std::exclusive_scan(starts.begin(), starts.end(), starts.begin(), 0);
+    memory_.members.resize(active.size());
+    for (const int i : active) {
+      int& place = starts[at(memory_.groupOfRoot[at(rootOfContact(i))])];
+      memory_.members[at(place++)] = i;
+    }
+    return starts.size();
+  }
+
+  // Each group ends where its last contact was put.
+  Numbers group(std::size_t number) const {
+    const int begin = number == 0 ? 0 : memory_.starts[number - 1], end = memory_.starts[number];
+    return Numbers(memory_.members).subspan(at(begin), at(end - begin));
+  }
+
+  ImpactMemory& memory() {
+    return memory_;
   }
 
  private:
@@ -174,16 +198,17 @@ class Scene {
   }
 
   int rootOf(int body) {
-    while (group_[at(body)] != body) {
-      group_[at(body)] = group_[at(group_[at(body)])];
-      body = group_[at(body)];
+    std::vector<int>& roots = memory_.roots;
+    while (roots[at(body)] != body) {
+      roots[at(body)] = roots[at(roots[at(body)])];
+      body = roots[at(body)];
     }
     return body;
   }
 
   std::span<MovingBody> bodies_;
   std::span<const BodyContact> contacts_;
-  Numbers group_;
+  ImpactMemory& memory_;
   bool stopsSlip_;
 };
 
@@ -194,10 +219,15 @@ constexpr Real kEqualSpeeds = 1e-9;
 // The contacts of a group that act together: from the fastest down, all that do not work against
 // one that was taken before. Where two contacts press a body against each other the faster one goes
 // first; equally fast ones, which no order can be right for, go together.
-Numbers firstOf(const Scene& scene, Numbers group) {
-  std::stable_sort(group.begin(), group.end(),
-                   [&](int i, int j) { return scene.parting(i) < scene.parting(j); });
-  Numbers taken;
+Numbers firstOf(Scene& scene, Numbers members) {
+  std::vector<int>&group = scene.memory().order, &taken = scene.memory().taken;
+  group.assign(members.begin(), members.end());
+  // Their numbers decide between equals: a sort that is stable takes memory.
+  std::sort(group.begin(), group.end(), [&](int i, int j) {
+    const Real p = scene.parting(i), q = scene.parting(j);
+    return p != q ? p < q : i < j;
+  });
+  taken.clear();
   for (std::size_t i = 0; i < group.size();) {
     const Real speed = scene.parting(group[i]);
     const std::size_t before = taken.size();
@@ -216,9 +246,9 @@ Numbers firstOf(const Scene& scene, Numbers group) {
 }
 
 // Whether contacts depend on each other: elimination of W leaves nothing for one of them.
-bool redundant(DenseMatrix W) {
+bool redundant(const DenseMatrix& before, DenseMatrix& W) {
   constexpr Real kNothing = 1e-9;  // of what an entry started as: far above rounding
-  const DenseMatrix before = W;
+  W = before;
   for (int k = 0; k < W.rows(); ++k) {
     if (!(W(k, k) > kNothing * before(k, k))) return true;
     for (int i = k + 1; i < W.rows(); ++i) {
@@ -231,39 +261,48 @@ bool redundant(DenseMatrix W) {
 
 // Of all impulses that stop a redundant group the evenest: the four legs of a table carry alike.
 // Each contact gives way a little, which has one solution; then what that falls short of is added.
-// Three times, each making the error a million times smaller, is enough.
-std::vector<Real> evenImpulses(const DenseMatrix& W, const std::vector<Real>& u) {
+// Three times, each making the error a million times smaller, is enough. Returns false if pivoting
+// fails.
+bool findEvenImpulses(ImpactMemory& memory) {
   constexpr Real kGivesWay = 1e-6;
-  DenseMatrix softened = W;
+  const DenseMatrix& W = memory.couplings;
+  DenseMatrix& softened = memory.softened;
+  softened = W;
   for (int i = 0; i < W.rows(); ++i) softened(i, i) *= 1 + kGivesWay;
-  std::vector<Real> z(u.size(), 0);
+  std::vector<Real>& z = memory.impulses;
+  z.assign(memory.speeds.size(), 0);
   for (int round = 0; round < 3; ++round) {
-    std::vector<Real> q = u;
+    std::vector<Real>& q = memory.bent;
+    q = memory.speeds;
     for (int i = 0; i < W.rows(); ++i) q[at(i)] -= kGivesWay * W(i, i) * z[at(i)];
-    const Complementarity solution = solveComplementarity(softened, q);
-    if (solution.status != ComplementarityStatus::solved) return {};
-    z = solution.z;
+    solveComplementarity(softened, q, memory.searching, memory.solution);
+    if (memory.solution.status != ComplementarityStatus::solved) return false;
+    z = memory.solution.z;
   }
-  return z;
+  return true;
 }
 
 // The least impulses that stop all contacts of a group. If pivoting fails, which takes contacts
 // that rounding makes contradict each other, only the fastest is stopped: that is right for itself.
-std::vector<Real> stoppingImpulses(const Scene& scene, const Numbers& group) {
+const std::vector<Real>& stoppingImpulses(Scene& scene, Numbers group) {
   const int n = static_cast<int>(group.size());
-  DenseMatrix W(n, n);
-  std::vector<Real> u(group.size());
+  ImpactMemory& memory = scene.memory();
+  DenseMatrix& W = memory.couplings;
+  std::vector<Real>& u = memory.speeds;
+  W.reset(n, n);
+  u.resize(group.size());
   for (int i = 0; i < n; ++i) {
     u[at(i)] = scene.parting(group[at(i)]);
     for (int j = 0; j <= i; ++j) W(i, j) = W(j, i) = scene.coupling(group[at(i)], group[at(j)]);
   }
-  if (redundant(W)) {
-    std::vector<Real> even = evenImpulses(W, u);
-    if (!even.empty()) return even;
+  std::vector<Real>& z = memory.impulses;
+  if (redundant(W, memory.softened) && findEvenImpulses(memory)) return z;
+  solveComplementarity(W, u, memory.searching, memory.solution);
+  if (memory.solution.status == ComplementarityStatus::solved) {
+    z = memory.solution.z;
+    return z;
   }
-  const Complementarity solution = solveComplementarity(W, u);
-  if (solution.status == ComplementarityStatus::solved) return solution.z;
-  std::vector<Real> z(group.size(), 0);
+  z.assign(group.size(), 0);
   const auto fastest = std::min_element(u.begin(), u.end());
   const int i = static_cast<int>(fastest - u.begin());
   if (W(i, i) > 0) z[at(i)] = -*fastest / W(i, i);
@@ -287,12 +326,12 @@ void check(std::span<const MovingBody> bodies, std::span<const BodyContact> cont
 }
 
 // One round over the given contacts; e is that of the contacts, or 0.
-void reflect(Scene& scene, const Numbers& group, bool plastic, std::vector<Real>& sums) {
+void reflect(Scene& scene, Numbers group, bool plastic, std::vector<Real>& sums) {
   if (group.size() == 1 && !plastic) {
     sums[at(group[0])] += scene.hit(group[0]);
     return;
   }
-  const std::vector<Real> z = stoppingImpulses(scene, group);
+  const std::vector<Real>& z = stoppingImpulses(scene, group);
   Real e = plastic ? 0 : 1;
   for (std::size_t i = 0; i < group.size(); ++i) {
     if (z[i] > 0) e = std::min(e, scene.contact(group[i]).law.restitution);
@@ -316,13 +355,25 @@ void reflect(Scene& scene, const Numbers& group, bool plastic, std::vector<Real>
 SimultaneousImpacts simultaneousImpacts(std::span<MovingBody> bodies,
                                         std::span<const BodyContact> contacts,
                                         const ImpactRounds& limits) {
-  check(bodies, contacts);
-  Scene scene(bodies, contacts, limits.stopsSlip);
+  ImpactMemory memory;
   SimultaneousImpacts result;
+  simultaneousImpacts(bodies, contacts, limits, memory, result);
+  return result;
+}
+
+void simultaneousImpacts(std::span<MovingBody> bodies, std::span<const BodyContact> contacts,
+                         const ImpactRounds& limits, ImpactMemory& memory,
+                         SimultaneousImpacts& result) {
+  check(bodies, contacts);
+  Scene scene(bodies, contacts, limits.stopsSlip, memory);
+  result.status = ImpactsStatus::settled;
+  result.rounds = 0;
+  result.approach = 0;
   result.normalImpulses.assign(contacts.size(), 0);
 
   // Contacts of two immovable bodies cannot be helped.
-  Numbers live;
+  std::vector<int>&live = memory.live, &active = memory.active;
+  live.clear();
   bool bounces = false;
   for (int i = 0; i < scene.count(); ++i) {
     const BodyContact& c = scene.contact(i);
@@ -331,7 +382,6 @@ SimultaneousImpacts simultaneousImpacts(std::span<MovingBody> bodies,
     bounces = bounces || c.law.restitution > 0;
   }
 
-  Numbers active;
   const auto findActive = [&] {
     active.clear();
     for (const int i : live) {
@@ -341,7 +391,9 @@ SimultaneousImpacts simultaneousImpacts(std::span<MovingBody> bodies,
   for (findActive(); !active.empty() && result.rounds < limits.maxRounds; findActive()) {
     ++result.rounds;
     // Without any bounce nothing is gained by letting the blow travel: all contacts stop together.
-    for (const Numbers& group : scene.groupsOf(bounces ? active : live)) {
+    const std::size_t groups = scene.sortIntoGroups(bounces ? active : live);
+    for (std::size_t k = 0; k < groups; ++k) {
+      const Numbers group = scene.group(k);
       reflect(scene, bounces ? firstOf(scene, group) : group, false, result.normalImpulses);
     }
   }
@@ -349,12 +401,12 @@ SimultaneousImpacts simultaneousImpacts(std::span<MovingBody> bodies,
   // One round is enough but for what rounding leaves of it, which the next one sees larger.
   constexpr int kPlasticRounds = 4;
   for (int i = 0; i < kPlasticRounds && !active.empty(); ++i, findActive()) {
-    for (const Numbers& group : scene.groupsOf(live)) {
-      reflect(scene, group, true, result.normalImpulses);
+    const std::size_t groups = scene.sortIntoGroups(live);
+    for (std::size_t k = 0; k < groups; ++k) {
+      reflect(scene, scene.group(k), true, result.normalImpulses);
     }
   }
   for (const int i : live) result.approach = std::max(result.approach, -scene.parting(i));
-  return result;
 }
 
 }  // namespace carom

@@ -32,6 +32,7 @@
 
 #include "carom/impulse/body_motion.hpp"
 #include "carom/impulse/impact_law.hpp"
+#include "carom/impulse/linear_complementarity.hpp"
 
 namespace carom {
 
@@ -66,6 +67,26 @@ struct ImpactRounds {
   bool stopsSlip = false;
 };
 
+/// Memory of the rounds, used again by the next call: who calls often asks for it once.
+/// \ingroup impulse
+struct ImpactMemory {
+  std::vector<int> live;            ///< contacts of which a body can move
+  std::vector<int> active;          ///< of these, those whose points approach
+  std::vector<int> roots;           ///< of each body: another one of its group, or itself
+  std::vector<int> groupOfRoot;     ///< number of the group
+  std::vector<int> members;         ///< contacts, group after group
+  std::vector<int> starts;          ///< where each group begins, and the end of the last
+  std::vector<int> order;           ///< of a group, from the fastest
+  std::vector<int> taken;           ///< of a group, those that act together
+  std::vector<Real> speeds;         ///< of parting
+  std::vector<Real> bent;           ///< the same, as soft contacts have it
+  std::vector<Real> impulses;       ///< that stop a group
+  DenseMatrix couplings;            ///< how each impulse changes each speed
+  DenseMatrix softened;             ///< the same of soft contacts, or while it is taken apart
+  Complementarity solution;         ///< which of them push
+  ComplementarityMemory searching;  ///< memory of that
+};
+
 /// Lets all contacts of many bodies act at once.
 /// \param bodies their velocities are changed
 /// \param contacts between them; a pair of bodies may have several
@@ -78,5 +99,14 @@ struct ImpactRounds {
 SimultaneousImpacts simultaneousImpacts(std::span<MovingBody> bodies,
                                         std::span<const BodyContact> contacts,
                                         const ImpactRounds& limits = {});
+
+/// The same without asking for memory, once what is given has its largest size.
+/// \param bodies their velocities are changed \param contacts between them \param limits of rounds
+/// \param memory of any earlier call \param result takes rounds, impulses and status
+/// \throws InvalidInput as the other one
+/// \ingroup impulse
+void simultaneousImpacts(std::span<MovingBody> bodies, std::span<const BodyContact> contacts,
+                         const ImpactRounds& limits, ImpactMemory& memory,
+                         SimultaneousImpacts& result);
 
 }  // namespace carom

@@ -38,11 +38,14 @@ Vector3 velocityAt(const Sweep& sweep, Real time, const Vector3& point) {
 
 void requireUsable(const Sweep& sweep, const char* name) {
   requireUsable(sweep.start, name);
-  const std::string of = name;
-  requireFinite(sweep.velocity, (of + ".velocity").c_str());
-  requireFinite(sweep.angularVelocity, (of + ".angularVelocity").c_str());
-  requireFinite(sweep.acceleration, (of + ".acceleration").c_str());
-  requireFinite(sweep.centre, (of + ".centre").c_str());
+  // A search asks this each time: names, which take memory, are made only for what is wrong.
+  const auto require = [&](const Vector3& value, const char* part) {
+    if (!value.allFinite()) requireFinite(value, (std::string(name) + part).c_str());
+  };
+  require(sweep.velocity, ".velocity");
+  require(sweep.angularVelocity, ".angularVelocity");
+  require(sweep.acceleration, ".acceleration");
+  require(sweep.centre, ".centre");
 }
 
 }  // namespace carom
