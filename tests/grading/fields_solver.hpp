@@ -1,6 +1,7 @@
 #pragma once
-// How the types of chapter 9 cross the pipe.
+// How the types of chapters 9 and 10 that belong to the solver cross the pipe.
 
+#include "carom/solver/color_graph.hpp"
 #include "carom/solver/contact_row.hpp"
 #include "carom/solver/soft_contact.hpp"
 #include "carom/solver/substep.hpp"
@@ -15,6 +16,11 @@ struct Fields<ContactRow> {
                                          "contact", &ContactRow::contact, "name", &ContactRow::name,
                                          "separation", &ContactRow::separation, "target",
                                          &ContactRow::target, "impulse", &ContactRow::impulse);
+};
+
+template <>
+struct Fields<ColorEdge> {
+  static constexpr auto list = fieldList("a", &ColorEdge::a, "b", &ColorEdge::b);
 };
 
 template <>

@@ -125,7 +125,7 @@ void BodyMatrix::order() {
       merged_.erase(std::remove_if(merged_.begin(), merged_.end(),
                                    [&](int k) { return k == i || k == best; }),
                     merged_.end());
-      std::swap(list, merged_);
+      list.assign(merged_.begin(), merged_.end());  // each keeps its memory
     }
     const auto degree = static_cast<std::int64_t>(around.size());
     work_ += degree * (degree + 1) + 1;

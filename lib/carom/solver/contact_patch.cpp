@@ -193,6 +193,23 @@ Vector3 slipOf(const ContactBlock& block, std::span<const MovingBody> bodies) {
   return slip;
 }
 
+Real centreShift(const ContactBlock& block, const ContactPatch& patch) {
+  if (block.rubs < 3) return 0;
+  Real before = 0, after = 0;
+  for (int i = 0; i < patch.count; ++i) {
+    before += patch.points[i].impulse;
+    after += block.impulses[i];
+  }
+  if (!(after > 0)) return 0;
+  Vector3 shift = Vector3::Zero();
+  for (int i = 0; i < patch.count; ++i) {
+    const Real even = Real(1) / patch.count;
+    const Real weight = before > 0 ? patch.points[i].impulse / before : even;
+    shift += (block.impulses[i] / after - weight) * patch.points[i].armB;
+  }
+  return shift.norm() / block.radius;
+}
+
 Real stopTime(const ContactBlock& block, std::span<const MovingBody> bodies, Real duration) {
   constexpr Real kNever = std::numeric_limits<Real>::infinity();
   if (!block.slips) return kNever;

@@ -127,6 +127,12 @@ void warmStart(const ContactBlock& block, std::span<MovingBody> bodies);
 /// \return slip at the end of the step [m/s] \ingroup solver
 Vector3 slipOf(const ContactBlock& block, std::span<const MovingBody> bodies);
 
+/// How far the pressure of a solution is centred from where its friction was made to act, which was
+/// the centre of the pressure to start with. \param block as solved \param patch that it was made
+/// of, not yet changed \return in parts of the mean distance of the points; zero for one point [1]
+/// \ingroup solver
+Real centreShift(const ContactBlock& block, const ContactPatch& patch);
+
 /// When a block that slips stops slipping, if its slip changes evenly from that at the start to
 /// that now. \param block as solved \param bodies as they move at the end \param duration of the
 /// step [s]

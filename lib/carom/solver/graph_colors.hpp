@@ -1,27 +1,19 @@
 #pragma once
-// Which contacts can be solved at the same time?
+// How do thousands of contacts get their colours in every step?
 //
-// Method: contacts are edges of a graph whose nodes are bodies; edges that share a body get
-// different colours, and what has one colour can be solved in any order, or at once. Each edge, in
-// the order in which it is given, takes the first colour that neither of its bodies has. Bodies that
-// cannot be moved do not count: a floor may be shared. Contacts with them come last, in colours of
-// their own, so that what cannot give way has the last word in a sweep.
-// Why the first that fits and no better: a body has few contacts, and with d of them at most 2d - 1
-// colours are used; looking for fewer costs more than it saves.
-// Source: greedy edge colouring; for solvers Harada 2011, Catto 2025 (Box3D).
+// Method: colorGraph()'s, with memory that is kept and the colours of a body as bits of a number. A
+// body with all of 64 counts on from there. Contacts with what cannot be moved come last, in colours
+// of their own, so that what cannot give way has the last word in a sweep.
+// Source: color_graph.hpp; the bits and the order: Catto 2025 (Box3D).
 // Not handled: keeping colours from step to step: made anew they cost some nanoseconds per contact.
 
 #include <cstdint>
 #include <span>
 #include <vector>
 
-namespace carom {
+#include "carom/solver/color_graph.hpp"
 
-/// A contact as an edge. \ingroup solver
-struct ColorEdge {
-  std::int32_t a = 0;  ///< number of one body
-  std::int32_t b = 0;  ///< of the other
-};
+namespace carom {
 
 /// Gives colours to contacts, and keeps its memory. \ingroup solver
 class GraphColors {

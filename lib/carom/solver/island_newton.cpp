@@ -224,13 +224,17 @@ void IslandNewton::evaluate(const ContactBlock& block, Real t, Work& work) const
     work.rub = limit * work.heading;
     return;
   }
+  if (glued_ && work.loose) {
+    work.rub = Vector3::Zero();
+    return;
+  }
   Vector3 rub = block.rub;
   for (int k = 0; k < block.rubs; ++k) {
     rub[k] -= work.stiffRub * (work.speeds[at(kFirstRub + k)] + t * work.along[at(kFirstRub + k)]);
   }
   const Real size = rub.norm();
-  if (size <= limit) {
-    work.mode = limit > 0 ? Rub::sticks : Rub::none;
+  if (glued_ || size <= limit) {
+    work.mode = glued_ || limit > 0 ? Rub::sticks : Rub::none;
     work.rub = rub;
     return;
   }
@@ -399,20 +403,65 @@ void IslandNewton::accept(std::span<MovingBody> bodies, std::span<ContactBlock> 
   for (BodyVector& velocity : velocity_) velocity.setZero();
 }
 
+// Back to the impulses that the blocks came with, or to none at all.
+void IslandNewton::begin(std::span<MovingBody> bodies, std::span<ContactBlock> blocks, bool cold) {
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    bodies[i].velocity = cold ? free_[i].velocity : keptVelocity_[i];
+  }
+  for (std::size_t i = 0; i < blocks.size(); ++i) {
+    blocks[i].impulses = cold ? std::array<Real, 4>() : kept_[i].impulses;
+    blocks[i].rub = cold ? Vector3(Vector3::Zero()) : kept_[i].rub;
+  }
+  for (BodyVector& velocity : velocity_) velocity.setZero();
+  readSpeeds(bodies, blocks);
+}
+
+// What rubs without the pressure for it does not rub at all from now on. Returns whether there was
+// any.
+bool IslandNewton::loosen(std::span<const ContactBlock> blocks) {
+  constexpr Real kMore = 1 + 1e-9;
+  bool any = false;
+  for (std::size_t i = 0; i < blocks.size(); ++i) {
+    const ContactBlock& block = blocks[i];
+    if (block.rubs == 0 || work_[i].loose) continue;
+    work_[i].loose = block.rub.norm() > kMore * block.friction * pressureOf(block);
+    any = any || work_[i].loose;
+  }
+  return any;
+}
+
 // Rounds until only rounding is left; whether that was reached.
 bool IslandNewton::iterate(std::span<MovingBody> bodies, std::span<ContactBlock> blocks,
                            const NewtonLimits& limits, NewtonResult& result) {
-  readSpeeds(bodies, blocks);
   const bool rubs = std::any_of(blocks.begin(), blocks.end(),
                                 [](const ContactBlock& block) { return block.rubs > 0; });
+  glued_ = rubs && std::none_of(blocks.begin(), blocks.end(), [](const ContactBlock& block) {
+             return block.rubs > 0 && block.slips;
+           });
+  // A small error is mended where it is: of many answers the next one to that of the last step.
+  constexpr Real kSmall = 1e-6;
+  begin(bodies, blocks,
+        glued_ && !(errorOf(bodies, blocks, limits.speed).speed < kSmall * limits.speed));
   bool solved = false;  // but for rounding
-  coupled_ = rubs;
+  bool wasSmall = false;
+  int triesGlued = 0;
+  coupled_ = rubs && !glued_;
   int roundsHere = 0;
   Real tried = std::numeric_limits<Real>::infinity();  // error when friction was coupled last
   std::int64_t worked = 0;
   Real best = std::numeric_limits<Real>::infinity();
   Real first = 0, before = 0;  // work of the forces left over, of the first and the last round
+  Real most = 0;               // the same of all rounds
+  const auto unglue = [&] {
+    glued_ = hasFactors_ = false;
+    coupled_ = true;
+    roundsHere = 0;
+    best = std::numeric_limits<Real>::infinity();
+    first = before = most = 0;
+    begin(bodies, blocks, false);
+  };
   while (result.rounds < limits.rounds) {
+    if (glued_ && result.rounds >= limits.rounds / 2) unglue();
     // Forces left over, and whether the factors are still those of these springs.
     for (std::size_t n = 0; n < masses_.size(); ++n) {
       step_[n].setZero();
@@ -458,7 +507,11 @@ bool IslandNewton::iterate(std::span<MovingBody> bodies, std::span<ContactBlock>
     first = std::min(first, start);
     // What is left is rounding: the direction means nothing any more.
     constexpr Real kNothing = 1e-24;
-    const bool nothing = std::abs(start) <= -kNothing * first;
+    most = std::min(most, start);
+    // Of the first forces, in springs that much stiffer than the bodies, roundings are left.
+    constexpr Real kNothingOfAll = kRoundings * kRoundings * kSoftness * kSoftness;
+    const bool nothing =
+        std::abs(start) <= -kNothing * first || std::abs(start) <= -kNothingOfAll * most;
     const Real t = nothing ? 1 : searchLine(blocks, start);
     bool stays = t == 1;
     for (std::size_t i = 0; i < blocks.size(); ++i) {
@@ -496,7 +549,27 @@ bool IslandNewton::iterate(std::span<MovingBody> bodies, std::span<ContactBlock>
     // A round costs little while the factors serve: on, until the digits are used up.
     solved = error.small;
     if (error.small && !(error.speed < best / 2)) return true;
+    wasSmall = wasSmall || error.small;
+    const bool nearer = error.speed < best / 2;
     best = std::min(best, error.speed);
+    if (glued_ && !nearer && !wasSmall) {
+      // Something has to give way: first what holds on to more than it may, and then anew, with the
+      // limits.
+      constexpr int kFewTries = 4;
+      if (++triesGlued > kFewTries || !loosen(blocks)) {
+        unglue();
+        continue;
+      }
+      hasFactors_ = false;
+      best = std::numeric_limits<Real>::infinity();
+      first = before = most = 0;
+      begin(bodies, blocks, true);
+      continue;
+    }
+    if (glued_) {
+      readSpeeds(bodies, blocks);
+      continue;
+    }
     constexpr Real kNearer = 0.1;
     if (rubs && !coupled_ && !(error.speed > kNearer * tried)) {
       coupled_ = true;
@@ -551,11 +624,7 @@ NewtonResult IslandNewton::solve(std::span<MovingBody> bodies, std::span<Contact
     if (driven || energyOf(bodies) <= (1 + kLittle) * energyOf(free_)) return result;
     result.solved = false;
   }
-  for (std::size_t i = 0; i < blocks.size(); ++i) {
-    blocks[i].impulses = kept_[i].impulses;
-    blocks[i].rub = kept_[i].rub;
-  }
-  for (std::size_t i = 0; i < bodies.size(); ++i) bodies[i].velocity = keptVelocity_[i];
+  begin(bodies, blocks, false);
   return result;
 }
 

@@ -13,6 +13,12 @@
 // Why: a sweep carries a load one body further, and trades it between a heavy and a light one in
 // parts of their ratio. A factorisation carries it to the ground at once, whatever the masses are.
 // Redundant points need no care: their springs share.
+// Where nothing slips yet it is first asked what happens if nothing can: friction without a limit is
+// a problem with one answer, which is found in a few rounds, and begun from no impulses at all its
+// forces are the evenest that hold the load, whatever order the rows are in. If all of them are
+// within their cones it is the answer with the limits, too; what is not is let go, and it is asked
+// again. Near a limit, or with strong friction, the other way may wander for long: an arch or a
+// house of cards is hardly found by it.
 // The law is that of the sweeps (friction_law.hpp), and so are the fixed points: friction is
 // against the slip and does not lift (no convex approximation of the cone).
 // Source: augmented Lagrangian with Newton's method for friction, Alart and Curnier 1991; proximal
@@ -87,6 +93,7 @@ class IslandNewton {
     Vector3 rub = Vector3::Zero();     // the same of friction [N s]
     std::uint8_t carries = 0;          // bits of the points that press
     Rub mode = Rub::none;
+    bool loose = false;                 // does not rub where all else is glued
     Vector3 heading = Vector3::Zero();  // of friction at its limit [1]
     Real share = 0;                     // of the springs' force that the cone lets through [1]
     std::uint8_t factoredCarries = 0;   // what the factors were made for
@@ -108,6 +115,8 @@ class IslandNewton {
   Real searchLine(std::span<const ContactBlock> blocks, Real start);
   void accept(std::span<MovingBody> bodies, std::span<ContactBlock> blocks);
   Real energyOf(std::span<const MovingBody> bodies) const;
+  bool loosen(std::span<const ContactBlock> blocks);
+  void begin(std::span<MovingBody> bodies, std::span<ContactBlock> blocks, bool cold);
   bool iterate(std::span<MovingBody> bodies, std::span<ContactBlock> blocks,
                const NewtonLimits& limits, NewtonResult& result);
 
@@ -124,6 +133,7 @@ class IslandNewton {
   std::vector<Velocity> keptVelocity_;
   bool symmetric_ = true;
   bool coupled_ = true;  // the limit of friction follows the pressure within a round
+  bool glued_ = false;   // friction has no limit, nor needs pressure
   bool hasFactors_ = false;
 };
 

@@ -136,6 +136,10 @@ struct SoftKernel {
 template <class T>
 const SoftKernel<T>& plainKernel();
 
+/// The one for registers of 16 bytes. \return kernel \ingroup solver
+template <class T>
+const SoftKernel<T>& narrowKernel();
+
 /// The widest one that this machine can run. \return kernel \ingroup solver
 template <class T>
 const SoftKernel<T>& widestKernel();

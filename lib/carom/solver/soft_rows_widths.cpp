@@ -2,6 +2,16 @@
 
 namespace carom {
 
+template <>
+const SoftKernel<float>& narrowKernel<float>() {
+  return detail::narrowFloats();
+}
+
+template <>
+const SoftKernel<double>& narrowKernel<double>() {
+  return detail::narrowDoubles();
+}
+
 #ifdef CAROM_WIDE_LANES
 
 bool detail::runsWide() {

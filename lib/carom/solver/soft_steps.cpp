@@ -83,7 +83,7 @@ void clearLane(SoftBlock<T>& block, int lane, std::int32_t nobody) {
 }
 
 template <class T>
-void setLane(SoftBlock<T>& block, int lane, const SoftContact& contact, Real duration) {
+void setLane(SoftBlock<T>& block, int lane, const PileContact& contact, Real duration) {
   put(contact.normal, block.normal, lane);
   put(duration * contact.rub, block.tangent[0], lane);
   block.friction.x[lane] = static_cast<T>(contact.friction);
@@ -139,6 +139,15 @@ struct SoftSteps::Memory {
   std::int64_t rowsOnce = 0;
 };
 
+namespace {
+
+// Calls with the rows in use.
+auto withRows(auto& memory, auto&& work) {
+  return memory.numbers == RowNumbers::floats ? work(memory.floats) : work(memory.doubles);
+}
+
+}  // namespace
+
 SoftSteps::SoftSteps() : memory_(std::make_unique<Memory>()) {}
 SoftSteps::~SoftSteps() = default;
 SoftSteps::SoftSteps(SoftSteps&&) noexcept = default;
@@ -150,23 +159,15 @@ void SoftSteps::begin(std::size_t bodies, std::size_t movable, RowNumbers number
   m.bodies = bodies;
   m.movable = movable;
   // One more, whom nothing moves: for the empty places of blocks.
-  if (numbers == RowNumbers::floats) {
-    resize(m.floats, bodies + 1);
-    setBodyRow(m.floats, bodies, {}, {}, 1);
-  } else {
-    resize(m.doubles, bodies + 1);
-    setBodyRow(m.doubles, bodies, {}, {}, 1);
-  }
+  withRows(m, [&](auto& rows) {
+    resize(rows, bodies + 1);
+    setBodyRow(rows, bodies, {}, {}, 1);
+  });
 }
 
 void SoftSteps::setBody(std::size_t i, const MovingBody& body, const Velocity& gain,
                         int shortSteps) {
-  Memory& m = *memory_;
-  if (m.numbers == RowNumbers::floats) {
-    setBodyRow(m.floats, i, body, gain, shortSteps);
-  } else {
-    setBodyRow(m.doubles, i, body, gain, shortSteps);
-  }
+  withRows(*memory_, [&](auto& rows) { setBodyRow(rows, i, body, gain, shortSteps); });
 }
 
 void SoftSteps::place(std::span<const ColorEdge> contacts, std::span<const std::uint8_t> counts) {
@@ -201,7 +202,7 @@ void SoftSteps::place(std::span<const ColorEdge> contacts, std::span<const std::
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     m.order[static_cast<std::size_t>(m.heads[bin(c)]++)] = static_cast<std::int32_t>(c);
   }
-  const auto fill = [&](auto& rows) {
+  withRows(m, [&](auto& rows) {
     rows.blocks.resize(static_cast<std::size_t>(blocks));
     for (std::size_t b = 0; b < rows.blocks.size(); ++b) {
       auto& block = rows.blocks[b];
@@ -218,12 +219,7 @@ void SoftSteps::place(std::span<const ColorEdge> contacts, std::span<const std::
         block.points = std::max<std::int32_t>(block.points, counts[contact]);
       }
     }
-  };
-  if (m.numbers == RowNumbers::floats) {
-    fill(m.floats);
-  } else {
-    fill(m.doubles);
-  }
+  });
 }
 
 std::int32_t SoftSteps::contactAt(std::size_t place) const {
@@ -234,14 +230,10 @@ std::size_t SoftSteps::places() const {
   return memory_->order.size();
 }
 
-void SoftSteps::setContact(std::size_t place, const SoftContact& contact, Real duration) {
-  Memory& m = *memory_;
+void SoftSteps::setContact(std::size_t place, const PileContact& contact, Real duration) {
   const int lane = static_cast<int>(place % kBlockWidth);
-  if (m.numbers == RowNumbers::floats) {
-    setLane(m.floats.blocks[place / kBlockWidth], lane, contact, duration);
-  } else {
-    setLane(m.doubles.blocks[place / kBlockWidth], lane, contact, duration);
-  }
+  withRows(*memory_,
+           [&](auto& rows) { setLane(rows.blocks[place / kBlockWidth], lane, contact, duration); });
 }
 
 namespace {
@@ -263,11 +255,16 @@ SoftNumbers<T> numbersOf(const SoftSettings& settings, Real duration) {
 }
 
 template <class T>
+const SoftKernel<T>& kernelOf(RowWidth width) {
+  if (width == RowWidth::plain) return plainKernel<T>();
+  return width == RowWidth::narrow ? narrowKernel<T>() : widestKernel<T>();
+}
+
+template <class T>
 void runSteps(RowMemory<T>& memory, std::size_t bodyCount, std::size_t movable,
               std::span<const std::int32_t> firstBlock, const SoftSettings& settings, Real duration,
               KeptThreads& threads) {
-  const SoftKernel<T>& kernel =
-      settings.width == RowWidth::plain ? plainKernel<T>() : widestKernel<T>();
+  const SoftKernel<T>& kernel = kernelOf<T>(settings.width);
   const SoftBodies<T> bodies = memory.bodies(movable);
   const SoftNumbers<T> numbers = numbersOf<T>(settings, duration);
   SoftBlock<T>* const blocks = memory.blocks.data();
@@ -332,13 +329,10 @@ void markBounces(std::vector<SoftBlock<T>>& blocks) {
 
 SoftCounts SoftSteps::run(const SoftSettings& settings, Real duration, KeptThreads& threads) {
   Memory& m = *memory_;
-  if (m.numbers == RowNumbers::floats) {
-    markBounces(m.floats.blocks);
-    runSteps(m.floats, m.bodies, m.movable, m.firstBlock, settings, duration, threads);
-  } else {
-    markBounces(m.doubles.blocks);
-    runSteps(m.doubles, m.bodies, m.movable, m.firstBlock, settings, duration, threads);
-  }
+  withRows(m, [&](auto& rows) {
+    markBounces(rows.blocks);
+    runSteps(rows, m.bodies, m.movable, m.firstBlock, settings, duration, threads);
+  });
   SoftCounts counts;
   counts.colors = static_cast<int>(m.firstBlock.size()) - 1;
   counts.blocks = m.firstBlock.back();
@@ -347,16 +341,14 @@ SoftCounts SoftSteps::run(const SoftSettings& settings, Real duration, KeptThrea
 }
 
 SoftMotion SoftSteps::body(std::size_t i) const {
-  const Memory& m = *memory_;
-  return m.numbers == RowNumbers::floats ? motionOf(m.floats, i) : motionOf(m.doubles, i);
+  return withRows(*memory_, [&](const auto& rows) { return motionOf(rows, i); });
 }
 
 SoftForces SoftSteps::contact(std::size_t place, Real duration) const {
-  const Memory& m = *memory_;
   const int lane = static_cast<int>(place % kBlockWidth);
-  return m.numbers == RowNumbers::floats
-             ? forcesOf(m.floats.blocks[place / kBlockWidth], lane, duration)
-             : forcesOf(m.doubles.blocks[place / kBlockWidth], lane, duration);
+  return withRows(*memory_, [&](const auto& rows) {
+    return forcesOf(rows.blocks[place / kBlockWidth], lane, duration);
+  });
 }
 
 }  // namespace carom

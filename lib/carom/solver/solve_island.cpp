@@ -44,8 +44,14 @@ IslandSolution solveIsland(IslandNewton& newton, std::span<MovingBody> bodies,
     };
     return moves(block.bodyA) && moves(block.bodyB);
   };
-  if (!limits.newton || std::none_of(blocks.begin(), blocks.end(), joins)) {
-    sweep(limits.sweeps);
+  const bool alone = std::none_of(blocks.begin(), blocks.end(), joins);
+  if (!limits.newton || alone) {
+    // Rows. Four corners that rub want four hundred; what has not ended by then never does, and to
+    // go on took a tipping box five times as long, for the same motion.
+    constexpr int kAlone = 3000;
+    SweepLimits sweeps = limits.sweeps;
+    if (alone) sweeps.rowBudget = std::min(sweeps.rowBudget, kAlone);
+    sweep(sweeps);
     look();
     return done;
   }

@@ -2,6 +2,7 @@
 
 #include "carom/solver/soft_steps.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <set>
@@ -14,8 +15,8 @@
 
 using carom::ColorEdge;
 using carom::MovingBody;
+using carom::PileContact;
 using carom::Real;
-using carom::SoftContact;
 using carom::Vector3;
 
 namespace {
@@ -26,7 +27,7 @@ constexpr Real kStep = 1.0 / 60;
 struct Heap {
   std::vector<MovingBody> bodies;
   std::vector<ColorEdge> edges;
-  std::vector<SoftContact> contacts;
+  std::vector<PileContact> contacts;
   std::size_t movable = 0;
 };
 
@@ -50,7 +51,7 @@ Heap randomHeap(std::uint64_t seed, std::size_t movable, int contacts) {
     const std::int32_t a = static_cast<std::int32_t>(random.between(0, last));
     const std::int32_t b = static_cast<std::int32_t>(random.between(0, last - 2));
     if (a == b) continue;
-    SoftContact contact;
+    PileContact contact;
     contact.normal = random.direction();
     contact.count = 1 + static_cast<int>(random.between(0, 3.999));
     for (int i = 0; i < contact.count; ++i) {
@@ -80,7 +81,7 @@ Outcome solved(const Heap& heap, const carom::SoftSettings& settings, carom::Row
   carom::KeptThreads crew(threads);
   const Real part = kStep / settings.shortSteps;
   std::vector<std::uint8_t> counts;
-  for (const SoftContact& contact : heap.contacts) {
+  for (const PileContact& contact : heap.contacts) {
     counts.push_back(static_cast<std::uint8_t>(contact.count));
   }
   steps.begin(heap.bodies.size(), heap.movable, numbers);
@@ -136,6 +137,39 @@ TEST_CASE("no two contacts of a colour move the same body, however many a body h
   }
 }
 
+TEST_CASE("the plain function colours as the one with memory does, but for who comes last") {
+  const Heap heap = randomHeap(12, 40, 300);
+  std::vector<ColorEdge> moving;
+  for (const ColorEdge& edge : heap.edges) {
+    if (edge.a < 40) moving.push_back(edge);
+  }
+  carom::GraphColors graph;
+  std::vector<std::int32_t> colors;
+  const int count = graph.color(moving, 40, colors);
+  CHECK(colors == carom::colorGraph(moving, 40));
+  CHECK(count == *std::max_element(colors.begin(), colors.end()) + 1);
+}
+
+TEST_CASE("a body may have more contacts than a number has bits") {
+  std::vector<ColorEdge> star;
+  for (std::int32_t i = 1; i <= 150; ++i) star.push_back({0, i});
+  carom::GraphColors graph;
+  std::vector<std::int32_t> colors;
+  CHECK(graph.color(star, 151, colors) == 150);
+  CHECK(colors == carom::colorGraph(star, 151));
+}
+
+TEST_CASE("edges that are none are refused") {
+  using carom_test::ContainsSubstring;
+  const auto colored = [](ColorEdge edge, std::int32_t movable) {
+    return carom::colorGraph(std::vector<ColorEdge>{edge}, movable);
+  };
+  CHECK_THROWS_WITH(colored({0, -3}, 2), ContainsSubstring("body = -3"));
+  CHECK_THROWS_WITH(colored({1, 1}, 2), ContainsSubstring("must join two bodies"));
+  CHECK_THROWS_WITH(colored({0, 1}, -1), ContainsSubstring("movable = -1"));
+  CHECK(colored({5, 5}, 2) == std::vector<std::int32_t>{0});
+}
+
 TEST_CASE("contacts with what cannot be moved come after all others") {
   const Heap heap = randomHeap(8, 40, 300);
   carom::GraphColors graph;
@@ -155,9 +189,12 @@ TEST_CASE("contacts with what cannot be moved come after all others") {
 TEST_CASE("lanes do what one number at a time does, to the last bit") {
   const auto numbers = GENERATE(carom::RowNumbers::floats, carom::RowNumbers::doubles);
   const Heap heap = randomHeap(9, 60, 200);
-  carom::SoftSettings wide, plain;
+  carom::SoftSettings wide, narrow, plain;
+  narrow.width = carom::RowWidth::narrow;
   plain.width = carom::RowWidth::plain;
-  CHECK(same(solved(heap, wide, numbers, 1), solved(heap, plain, numbers, 1)));
+  const Outcome outcome = solved(heap, plain, numbers, 1);
+  CHECK(same(solved(heap, wide, numbers, 1), outcome));
+  CHECK(same(solved(heap, narrow, numbers, 1), outcome));
 }
 
 TEST_CASE("any number of threads comes to the same bits") {
@@ -190,7 +227,7 @@ TEST_CASE("a body at rest on a floor stays there, carried by its weight") {
   heap.bodies.resize(2);
   heap.bodies[0].mass.inverseMass = 0.5;
   heap.bodies[0].mass.inverseInertia = 3 * carom::Matrix3::Identity();
-  SoftContact contact;
+  PileContact contact;
   contact.count = 4;
   contact.friction = 0.5;
   const Real weight = 2 * 9.81;
