@@ -10,14 +10,14 @@
 #include "carom/world/move_body.hpp"
 #include "carom/world/next_contact.hpp"
 #include "carom/world/project_positions.hpp"
+#include "carom/world/project_velocities.hpp"
 #include "carom/world/resolve_impacts.hpp"
+#include "carom/world/stay_in_room.hpp"
 #include "carom/world/update_contacts.hpp"
 
 namespace carom::world {
 
 namespace {
-
-constexpr Real kNever = std::numeric_limits<Real>::infinity();
 
 int closedPoints(const WorldState& state, const IslandSlot& island) {
   int closed = 0;
@@ -99,7 +99,7 @@ Real endOfPhase(const WorldState& state, std::span<const Index> pairs, Real time
          {std::pair(pair.shapeA, pair.bodyA), {pair.shapeB, pair.bodyB}}) {
       const ShapeSlot& slot = state.shapes[at(shape)];
       const BodySlot& owner = state.bodies[at(body)];
-      if (!isDynamic(owner) || (slot.centred && slot.data->isBall)) continue;
+      if (!isDynamic(owner) || isCentredBall(slot)) continue;
       rate = std::max(rate, owner.velocity.angular.norm() + dt * owner.turning.norm());
     }
   }
@@ -273,13 +273,61 @@ bool isAsRemembered(const WorldState& state, const IslandSlot& island) {
   return island.hardFor == 0;
 }
 
-// Whether an island is solved by soft steps: many contacts, or so many bodies that plastic impacts
-// cannot be looked for one by one.
+bool bounces(const WorldState& state, const IslandSlot& island) {
+  return std::any_of(island.pairs.begin(), island.pairs.end(),
+                     [&](Index pair) { return state.pairs[at(pair)].restitution > 0; });
+}
+
+// Whether an island may be a pile for what it takes otherwise. Only heaps of balls: what soft steps
+// leave of overlap is too much for boxes and hulls that go on by events. Bounces want their moments;
+// without friction sweeps come to an end; what is small and mostly stands may stand; and of a few
+// bodies each moment counts.
+bool mayBePile(const WorldState& state, const IslandSlot& island) {
+  constexpr std::size_t kFewBodies = 8;  // are always worth their events
+  if (island.bodies.size() < kFewBodies) return false;
+  const bool rubs = std::any_of(island.pairs.begin(), island.pairs.end(),
+                                [&](Index pair) { return state.pairs[at(pair)].friction > 0; });
+  const auto isRound = [&](Index shape) {
+    return state.shapes[at(shape)].data->isBall || state.shapes[at(shape)].data->isHalfSpace;
+  };
+  const bool isOfBalls = std::all_of(island.pairs.begin(), island.pairs.end(), [&](Index pair) {
+    return isRound(state.pairs[at(pair)].shapeA) && isRound(state.pairs[at(pair)].shapeB);
+  });
+  if (!rubs || !isOfBalls || bounces(state, island)) return false;
+  if (closedPoints(state, island) > state.settings.eventContacts) return true;
+  constexpr Real kSteps = 1;  // of free fall make a speed that is not small
+  const Real fast = kSteps * state.settings.gravity.norm() * state.lastStep;
+  const auto isFast = [&](Index body) {
+    return state.bodies[at(body)].velocity.linear.squaredNorm() > fast * fast;
+  };
+  const auto moving = std::count_if(island.bodies.begin(), island.bodies.end(), isFast);
+  return 2 * moving > static_cast<std::ptrdiff_t>(island.bodies.size());
+}
+
+// Whether an island is solved by soft steps: many contacts, so many bodies that plastic impacts
+// cannot be looked for one by one, or one of the last steps took too much.
 bool isPile(const WorldState& state, const IslandSlot& island) {
   if (closedPoints(state, island) > state.settings.pileContacts) return true;
-  if (static_cast<int>(island.bodies.size()) <= state.settings.pileBodies) return false;
-  return std::none_of(island.pairs.begin(), island.pairs.end(),
-                      [&](Index pair) { return state.pairs[at(pair)].restitution > 0; });
+  if (static_cast<int>(island.bodies.size()) > state.settings.pileBodies) {
+    return !bounces(state, island);
+  }
+  return island.pileFor > 0 && mayBePile(state, island);
+}
+
+// What a pile would cost, in visits of a row.
+std::int64_t workOfPile(const WorldState& state, const IslandSlot& island) {
+  constexpr std::int64_t kBody = 16;
+  std::int64_t points = 0;
+  for (const Index pair : island.pairs) points += state.pairs[at(pair)].manifold.count;
+  return kBody * static_cast<std::int64_t>(island.bodies.size()) +
+         points * state.settings.shortSteps;
+}
+
+// What has been done so far, in visits of a row.
+std::int64_t workDone(const Counters& counters) {
+  constexpr std::int64_t kManifold = 8, kSearch = 16, kImpact = 16;
+  return counters.rowsSolved + kManifold * counters.manifoldsMade +
+         kSearch * counters.firstContacts + kImpact * counters.impacts;
 }
 
 }  // namespace
@@ -293,22 +341,29 @@ IslandRun advanceIsland(WorldState& state, Index index, Real start, Real end) {
   }
   // Pairs of an island that was still until now have no manifold of this step yet.
   for (const Index pair : island.pairs) makeManifold(state, pair, start, end - start);
-  if (isPile(state, island)) {
+  run.isPile = island.isPile = isPile(state, island);
+  if (run.isPile) {
+    island.pileFor = std::max(0, island.pileFor - 1);
     advancePile(state, index, start, end);
     for (const Index body : island.bodies) moveBody(state, body, end, true);
-    run.isPile = true;
     return run;
   }
+  // What a pile carries along is not good enough here.
+  for (const Index pair : island.pairs) {
+    if (!state.pairs[at(pair)].carried) continue;
+    state.pairs[at(pair)].madeAt = -1;
+    makeManifold(state, pair, start, end - start);
+  }
+  const std::int64_t workBefore = workDone(state.counters);
   const bool isWatched = mayBeStill(state, island);
   if (isWatched) remember(state, island);
   const std::size_t impacts = state.impacts.size();
   if (state.settings.projectPositions) projectPositions(state, island.bodies, island.pairs);
   // What was not solved directly is hardly so in the next step.
   constexpr int kStrayFor = 8;
-  state.work.mayFactor = island.strayFor == 0;
+  const bool mayFactor = state.work.mayFactor = island.strayFor == 0;
   constexpr std::int64_t kSolutions = 4;  // that the budget of all events of a step is enough for
   state.work.rowsLeft = kSolutions * state.settings.rowBudget;
-  const std::int64_t givenUp = state.counters.islandsGivenUp;
   // An island whose contacts do not settle is not tried again in each step.
   constexpr int kHardFor = 60;
   run.byEvents = state.settings.locateEvents && island.hardFor == 0 &&
@@ -322,11 +377,22 @@ IslandRun advanceIsland(WorldState& state, Index index, Real start, Real end) {
     state.work.rowsLeft = kSolutions * state.settings.rowBudget;
     advanceAtOnce(state, index, start, end);
   }
-  island.strayFor =
-      state.counters.islandsGivenUp > givenUp ? kStrayFor : std::max(0, island.strayFor - 1);
-  state.work.mayFactor = true;
+  const std::int64_t work = workDone(state.counters) - workBefore;
+  if (work > state.settings.pileWork * workOfPile(state, island) && mayBePile(state, island)) {
+    island.pileFor = state.settings.pileSteps;
+    ++state.counters.islandsTooDear;
+  }
+  const bool strayed = mayFactor && !state.work.mayFactor;
+  island.strayFor = strayed ? kStrayFor : std::max(0, island.strayFor - 1);
+  if (state.impacts.size() != impacts) {
+    for (const Index body : island.bodies) stayInRoom(state, body, end);
+  }
   for (const Index body : island.bodies) moveBody(state, body, end, true);
-  if (state.settings.projectPositions) projectRounds(state, island.bodies, island.pairs, end);
+  if (state.longSteps && run.byEvents) {
+    projectEnd(state, island.bodies, island.pairs, end);
+  } else if (state.settings.projectPositions) {
+    projectRounds(state, island.bodies, island.pairs, end);
+  }
   island.still = isWatched && state.impacts.size() == impacts && isAsRemembered(state, island);
   return run;
 }

@@ -13,6 +13,11 @@ namespace {
 // Fewer bodies or contacts than this are not worth a second thread.
 constexpr std::size_t kFew = 64;
 
+// Stands in PairSlot::renew, which piles have no other use for, where forces are those of soft
+// steps. What the events of a step have left is a force over whatever time was left of it: it may
+// be thousands of times what a whole step needs, and threw bodies out of a heap as if shot.
+constexpr Real kBySoftSteps = -1;
+
 // Bodies get numbers, those that contacts can move first; pairs with points become edges.
 void number(WorldState& state, const IslandSlot& island) {
   Pile& pile = state.pile;
@@ -34,7 +39,12 @@ void number(WorldState& state, const IslandSlot& island) {
     return body.local;
   };
   for (const Index index : island.pairs) {
-    const PairSlot& pair = state.pairs[at(index)];
+    PairSlot& pair = state.pairs[at(index)];
+    if (pair.renew != kBySoftSteps) {
+      pair.force = {};
+      pair.rub = Vector3::Zero();
+      pair.twist = 0;
+    }
     if (pair.manifold.count == 0) continue;
     pile.pairs.push_back(index);
     pile.edges.push_back({numberOf(pair.bodyA), numberOf(pair.bodyB)});
@@ -68,7 +78,7 @@ void describeContact(WorldState& state, std::size_t place, Real duration) {
   const Vector3& a = state.bodies[at(pair.bodyA)].position;
   const Vector3& b = state.bodies[at(pair.bodyB)].position;
   const bool warm = state.settings.warmStarting;
-  SoftContact soft;
+  PileContact soft;
   soft.normal = pair.manifold.normal;
   soft.count = pair.manifold.count;
   for (int i = 0; i < soft.count; ++i) {
@@ -98,6 +108,7 @@ void storeForces(WorldState& state, std::size_t place, Real duration) {
   pair.rub = forces.rub;
   pair.twist = forces.twist;
   pair.sticks = forces.sticks;
+  pair.renew = kBySoftSteps;
 }
 
 // Whether most of what touches carries nothing yet: it was put there, or has just come to lie. A
@@ -126,7 +137,8 @@ void advancePile(WorldState& state, Index index, Real start, Real until) {
   if (isNew(state)) island.newFor = kNewFor;
   const SoftSettings settings{.shortSteps = state.settings.shortSteps,
                               .relaxations = island.newFor > 0 ? kRelaxations : 1,
-                              .slowestBounce = state.settings.gravity.norm() * dt};
+                              .slowestBounce = state.settings.gravity.norm() * dt,
+                              .width = state.settings.rowWidth};
   const Real duration = dt / settings.shortSteps;
   KeptThreads& threads = threadsOf(pile, state.settings.threads);
   island.newFor = std::max(0, island.newFor - 1);

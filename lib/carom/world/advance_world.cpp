@@ -6,6 +6,7 @@
 
 #include "carom/detection/bounds.hpp"
 #include "carom/motion/careful_sum.hpp"
+#include "carom/motion/step_controller.hpp"
 #include "carom/rotation/conjugate.hpp"
 #include "carom/rotation/hamilton_product.hpp"
 #include "carom/rotation/integrate_orientation.hpp"
@@ -19,7 +20,7 @@ namespace carom::world {
 
 namespace {
 
-constexpr int kMostTries = 6;          // of one time, in 1, 2, ... steps
+constexpr int kMostTries = 8;          // of one time, in 1, 2, ... steps
 constexpr Real kUsualStep = 1.0 / 60;  // long steps are not cut below it for the sake of pairs [s]
 
 // What is wanted of a time.
@@ -38,13 +39,17 @@ struct Group {
 
 // --- Keeping and putting back
 
+// A body as it is, but for its anchor.
+SavedBody saved(const BodySlot& body) {
+  return {body.position, body.orientation, body.velocity, body.clock, {}};
+}
+
 void keep(const WorldState& state, const Group& group, std::vector<SavedBody>& bodies,
           std::vector<PairSlot>& pairs) {
   for (const Index index : group.bodies) {
     const BodySlot& body = state.bodies[at(index)];
-    SavedBody saved{body.position, body.orientation, body.velocity, body.clock, {}};
-    if (body.anchor) saved.anchor = state.anchors[*body.anchor];
-    bodies.push_back(saved);
+    bodies.push_back(saved(body));
+    if (body.anchor) bodies.back().anchor = state.anchors[*body.anchor];
   }
   for (const Index pair : group.pairs) pairs.push_back(state.pairs[at(pair)]);
 }
@@ -97,10 +102,7 @@ IslandRun goInSteps(WorldState& state, const Group& group, Real start, Real end,
 
 // Where a try has ended.
 void noteEnd(const WorldState& state, const Group& group, std::vector<SavedBody>& ends) {
-  for (const Index index : group.bodies) {
-    const BodySlot& body = state.bodies[at(index)];
-    ends.push_back({body.position, body.orientation, body.velocity, body.clock, {}});
-  }
+  for (const Index index : group.bodies) ends.push_back(saved(state.bodies[at(index)]));
 }
 
 // The small turn from one orientation to another [rad, world].
@@ -123,34 +125,50 @@ void addTimes(Difference& sum, Real weight, const SavedBody& from, const SavedBo
   sum.velocity.angular += weight * (to.velocity.angular - from.velocity.angular);
 }
 
-// How wrong a difference makes a body at the end, beyond what rounding makes [m].
-Real sizeOf(const Difference& d, const BodySlot& body, const SavedBody& end, Real ahead) {
+// How wrong something is, and how much of it is more than rounding makes [m].
+struct Wrong {
+  Real whole = 0, beyond = 0;
+};
+
+// How wrong a difference makes a body at the end.
+Wrong sizeOf(const Difference& d, const BodySlot& body, const SavedBody& end, Real ahead) {
   constexpr Real kRoundings = 64 * std::numeric_limits<Real>::epsilon();
   const Real fast = end.velocity.linear.norm() + end.velocity.angular.norm();
   const Real noise =
       kRoundings * (end.position.cwiseAbs().maxCoeff() + body.reach + 1 + ahead * fast);
   const Real way = d.way.norm() + ahead * d.velocity.linear.norm();
   const Real turn = d.turn.norm() + ahead * d.velocity.angular.norm();
-  return std::max(Real(0), std::max(way, turn) - noise);
+  const Real whole = std::max(way, turn);
+  return {whole, std::max(Real(0), whole - noise)};
 }
 
 // Weights of the ends of 1, 2, ..., m steps. They add up to one and take away what goes with the
 // second to the m-th power of the step: an island's steps are of second order and not symmetric, so
-// that odd powers are there as well (extrapolation.hpp has even ones alone).
-constexpr std::array<std::array<Real, kMostTries>, kMostTries + 1> kWeights{{
-    {},
-    {1.0},
-    {-1.0 / 3, 4.0 / 3},
-    {1.0 / 12, -4.0 / 3, 9.0 / 4},
-    {-1.0 / 60, 4.0 / 5, -81.0 / 20, 64.0 / 15},
-    {1.0 / 360, -16.0 / 45, 81.0 / 20, -512.0 / 45, 625.0 / 72},
-    {-1.0 / 2520, 8.0 / 63, -81.0 / 28, 1024.0 / 63, -15625.0 / 504, 648.0 / 35},
-}};
+// that odd powers are there as well (extrapolation.hpp has even ones alone). It is the polynomial
+// through the ends whose slope at zero is zero.
+constexpr std::array<Real, kMostTries> weightsOf(int count) {
+  std::array<Real, kMostTries> weights = {};
+  for (int k = 1; k <= count; ++k) {
+    Real above = 2 * k, below = count * (count + 1);
+    for (int j = 1; j <= count; ++j) {
+      if (j == k) continue;
+      above *= k;
+      below *= k - j;
+    }
+    weights[at(k - 1)] = above / below;
+  }
+  return weights;
+}
+
+// Steps that the first `count` tries take together.
+constexpr Real costOf(int count) {
+  return count * (count + 1) / 2;
+}
 
 // What the first `count` tries tend to for steps of no length, seen from the last of them.
 Difference tendency(const std::vector<SavedBody>& ends, std::size_t bodies, std::size_t body,
                     int count) {
-  const std::array<Real, kMostTries>& weights = kWeights[at(count)];
+  const std::array<Real, kMostTries> weights = weightsOf(count);
   const SavedBody& last = ends[at(count - 1) * bodies + body];
   Difference sum;
   for (int k = 0; k + 1 < count; ++k)
@@ -158,11 +176,11 @@ Difference tendency(const std::vector<SavedBody>& ends, std::size_t bodies, std:
   return sum;
 }
 
-// The error of the answer of the first `count` tries: by how much the last of them changed it [m].
-Real errorOf(const WorldState& state, const Group& group, int count, bool smooth, Real ahead) {
+// The error of the answer of the first `count` tries: by how much the last of them changed it.
+Wrong errorOf(const WorldState& state, const Group& group, int count, bool smooth, Real ahead) {
   const std::vector<SavedBody>& ends = state.work.ends;
   const std::size_t n = group.bodies.size();
-  Real worst = 0;
+  Wrong worst;
   for (std::size_t i = 0; i < n; ++i) {
     const SavedBody &last = ends[at(count - 1) * n + i], &before = ends[at(count - 2) * n + i];
     Difference change;
@@ -174,7 +192,8 @@ Real errorOf(const WorldState& state, const Group& group, int count, bool smooth
       change.velocity.linear += now.velocity.linear - then.velocity.linear;
       change.velocity.angular += now.velocity.angular - then.velocity.angular;
     }
-    worst = std::max(worst, sizeOf(change, state.bodies[at(group.bodies[i])], last, ahead));
+    const Wrong one = sizeOf(change, state.bodies[at(group.bodies[i])], last, ahead);
+    worst = {std::max(worst.whole, one.whole), std::max(worst.beyond, one.beyond)};
   }
   return worst;
 }
@@ -196,15 +215,43 @@ void takeAnswer(WorldState& state, const Group& group, int count) {
   }
 }
 
-// What came of the tries of one time.
-struct Outcome {
-  bool accepted = false;
-  Real factor = 1;  // the next time to try, in parts of this one
+// What is known of a time before it is tried.
+struct Span {
+  Real start = 0, end = 0;     // [s]
+  Real last = 0;               // end of the long step [s]
+  bool refusedBefore = false;  // a longer one has just been refused
 };
 
-Outcome tryTime(WorldState& state, const Group& group, const Goal& goal, Real start, Real end) {
+// Judges the error of a try that went in `order` pieces at most, and says how to go on.
+StepChoice choose(const Goal& goal, const Span& span, Real error, int order) {
+  constexpr Real kSafety = 0.25;
+  return stepController({.length = span.end - span.start,
+                         .left = span.last - span.start,
+                         .duration = goal.duration,
+                         .error = error,
+                         .tolerance = kSafety * goal.tolerance,
+                         .order = order,
+                         .refusedBefore = span.refusedBefore});
+}
+
+// The same, where rounding is no reason to refuse a try. Nor is it one to go much farther.
+StepChoice choose(const Goal& goal, const Span& span, const Wrong& wrong, int order) {
+  const StepChoice all = choose(goal, span, wrong.whole, order);
+  if (all.accepted) return all;
+  StepChoice beyond = choose(goal, span, wrong.beyond, order);
+  if (!beyond.accepted) return all;
+  beyond.wanted = std::min(beyond.wanted, 2 * (span.end - span.start));
+  beyond.next = std::min(beyond.next, beyond.wanted);
+  return beyond;
+}
+
+// Tries one time in one step, in two and so on, until the error is small enough or it is clear that
+// it will not be. Of what was tried, and of one try more, that way is chosen for the next time
+// which costs least for the time that it covers.
+StepChoice tryTime(WorldState& state, const Group& group, const Goal& goal, const Span& span) {
   Workspace& work = state.work;
-  const Real ahead = std::max(Real(1), goal.left - end);
+  const Real length = span.end - span.start;
+  const Real ahead = std::max(Real(1), goal.left - span.end);
   const std::size_t impacts = state.impacts.size();
   const int hardFor = group.island == kNone ? 0 : state.islands[at(group.island)].hardFor;
   work.tryBodies.clear();
@@ -213,37 +260,66 @@ Outcome tryTime(WorldState& state, const Group& group, const Goal& goal, Real st
   keep(state, group, work.tryBodies, work.tryPairs);
 
   const std::int64_t rows = state.counters.normalRows;
-  IslandRun run = goInSteps(state, group, start, end, 1);
+  IslandRun run = goInSteps(state, group, span.start, span.end, 1);
   // A pile goes its usual steps: nobody asks where each of its bodies comes to lie.
-  if (run.isPile) return {end - start <= kUsualStep, kUsualStep / (end - start)};
+  if (run.isPile) {
+    const bool fits = length <= kUsualStep;
+    const Real left = span.last - (fits ? span.end : span.start);
+    return {fits, kUsualStep, std::min(kUsualStep, left)};
+  }
   bool exact = run.byEvents && state.counters.normalRows == rows;
   for (const Index body : group.bodies) exact = exact && isExact(state, state.bodies[at(body)]);
-  if (exact) return {true, 4};
+  if (exact) return choose(goal, span, 0, 1);
 
   noteEnd(state, group, work.ends);
   bool smooth = state.settings.extrapolation && run.byEvents && run.events == 0;
+  StepChoice best;
+  Real bestCost = std::numeric_limits<Real>::infinity();
+  const auto take = [&](const StepChoice& choice, int count) {
+    const Real cost = costOf(count) / choice.wanted;
+    if (cost < bestCost) {
+      best = choice;
+      bestCost = cost;
+    }
+  };
   Real before = std::numeric_limits<Real>::infinity();
+  bool accepted = false;
   for (int count = 2; count <= kMostTries; ++count) {
     putBack(state, group, work.tryBodies.data(), work.tryPairs.data());
     if (group.island != kNone) state.islands[at(group.island)].hardFor = hardFor;
     state.impacts.resize(impacts);
-    run = goInSteps(state, group, start, end, count);
+    run = goInSteps(state, group, span.start, span.end, count);
     noteEnd(state, group, work.ends);
     smooth = smooth && run.byEvents && run.events == 0;
-    // What happens on the way gets a share of its own, however short the time around it.
-    constexpr Real kSafety = 0.1, kShare = 1.0 / 32;
-    const Real part = (end - start) / goal.duration;
-    const Real most = kSafety * goal.tolerance * (smooth ? part : std::max(part, kShare));
-    const Real error = errorOf(state, group, count, smooth, ahead);
-    if (error <= most) {
-      if (smooth) takeAnswer(state, group, count);
-      constexpr std::array<Real, kMostTries + 1> kFactors{0, 0, 3, 2, 1.4, 1, 0.8};
-      return {true, error == 0 ? 4 : smooth ? kFactors[at(count)] : 1};
+    const Wrong error = errorOf(state, group, count, smooth, ahead);
+    if (!smooth) {
+      // What happens on the way gets a share of its own, however short the time around it.
+      constexpr Real kShare = 1.0 / 32;
+      const Real part = length / goal.duration;
+      return choose(goal, span, error.beyond * std::min(Real(1), part / kShare), 2);
     }
-    if (!smooth || error > before / 4) break;
-    before = error;
+    const StepChoice choice = choose(goal, span, error, count);
+    take(choice, count);
+    accepted = choice.accepted;
+    if (accepted) takeAnswer(state, group, count);
+    // One try more would gain about as much as this one did.
+    constexpr Real kUsualGain = 0.1;
+    if (accepted && count < kMostTries) {
+      const Real gain = std::max(kUsualGain, std::min(Real(1), error.whole / before));
+      take(choose(goal, span, error.whole * gain, count + 1), count + 1);
+    }
+    // All that are left would not gain enough. The first two say little about that.
+    Real hoped = error.beyond;
+    for (int left = count; left < kMostTries; ++left) hoped *= kUsualGain;
+    const bool hopeless = count > 2 && !choose(goal, span, hoped, count).accepted;
+    if (accepted || hopeless || error.whole > before / 2) break;
+    before = error.whole;
   }
-  return {false, smooth ? 0.4 : 0.5};
+  best.accepted = accepted;
+  if (accepted) return best;
+  // Nothing was good enough, and no time has gone by.
+  best.wanted = std::min(best.wanted, Real(0.9) * length);
+  return best;
 }
 
 // --- A group through a long step
@@ -254,7 +330,7 @@ bool staysInBoxes(const WorldState& state, const Group& group) {
     const BodySlot& body = state.bodies[at(index)];
     for (const Index shapeIndex : body.shapes) {
       const ShapeSlot& shape = state.shapes[at(shapeIndex)];
-      if (!holds(shape.swept, boundsOf(shape.data->whole, poseOfShape(body, shape)))) return false;
+      if (!holds(shape.swept, boundsOfShape(shape, poseOfShape(body, shape)))) return false;
     }
   }
   return true;
@@ -263,34 +339,36 @@ bool staysInBoxes(const WorldState& state, const Group& group) {
 // Returns false if a body has left its box.
 bool advanceGroup(WorldState& state, const Group& group, const Goal& goal, Real end) {
   Workspace& work = state.work;
-  Real known = group.island == kNone ? 0 : state.islands[at(group.island)].subStep;
-  Real step = known > 0 ? known : end;
+  const Real known = group.island == kNone ? 0 : state.islands[at(group.island)].subStep;
+  Real wanted = known > 0 ? known : end;
+  Real step = std::min(wanted, end);
+  bool refused = false;
   for (Real now = 0; now < end;) {
     // Crumbs at the end are not worth a step of their own.
-    const Real rest = end - now;
-    const bool last = step > 0.999 * rest;
-    const Real to = last ? end : rest < 2 * step ? now + rest / 2 : now + step;
-    const Outcome outcome = tryTime(state, group, goal, now, to);
-    const bool forced = !outcome.accepted && to - now <= state.settings.shortestSubStep;
-    if (outcome.accepted || forced) {
+    const Real to = step > 0.999 * (end - now) ? end : now + step;
+    const StepChoice choice = tryTime(state, group, goal, {now, to, end, refused});
+    const bool forced = !choice.accepted && to - now <= state.settings.shortestSubStep;
+    if (choice.accepted || forced) {
       if (forced) ++state.counters.triesForced;
       // A time that was short only because the end was near says little.
-      step = outcome.accepted
-                 ? std::max((to - now) * outcome.factor, outcome.factor >= 1 ? step : Real(0))
-                 : step;
+      const bool cut = to - now < 0.999 * wanted;
+      if (choice.accepted) wanted = cut ? std::max(wanted, choice.wanted) : choice.wanted;
+      step = std::max(forced ? to - now : choice.next, Real(0));
       now = to;
+      refused = false;
       if (!staysInBoxes(state, group)) return false;
     } else {
       ++state.counters.triesRefused;
-      step = std::max((to - now) * outcome.factor, state.settings.shortestSubStep / 2);
+      refused = true;
+      step = wanted = std::max(choice.wanted, state.settings.shortestSubStep / 2);
       putBack(state, group, work.tryBodies.data(), work.tryPairs.data());
     }
   }
-  if (group.island != kNone) state.islands[at(group.island)].subStep = step;
+  if (group.island != kNone) state.islands[at(group.island)].subStep = wanted;
   return true;
 }
 
-bool advanceFree(WorldState& state, const Goal& goal, Real end) {
+void advanceFree(WorldState& state, const Goal& goal, Real end) {
   for (std::size_t i = 0; i < state.awakeBodies.size(); ++i) {
     const Index index = state.awakeBodies[i];
     BodySlot& body = state.bodies[at(index)];
@@ -305,7 +383,6 @@ bool advanceFree(WorldState& state, const Goal& goal, Real end) {
       advanceGroup(state, {kNone, self, {}}, goal, end);
     }
   }
-  return true;
 }
 
 // --- Long steps

@@ -13,10 +13,13 @@
 // reach. Within, each island chooses steps of its own. It goes the same time once in one step, then
 // in two, three and more, each by events (advance_island.hpp). What these ends tend to for steps of
 // no length is an answer of high order as long as contacts neither begin nor end on the way, so
-// smooth motion costs little however small the tolerance. Where something happens on the way, the
-// ends of one and two steps must agree as they are, and the time is cut until they do. What nothing
-// holds, or only bounces, is exact and goes in one. The error of a velocity counts for the time
-// that is left, and for a second at least.
+// smooth motion costs little however small the tolerance. That asks for steps whose error is a
+// power of their length: each ends where the contacts let it (project_velocities.hpp), and a body
+// whose inertia turns with it is solved twice (contact_phase.hpp). How many tries there are, and
+// how long the next time is, is what costs least for the time that it covers (step_controller.hpp).
+// Where something happens on the way, the ends of one and two steps must agree as they are, and the
+// time is cut until they do. What nothing holds, or only bounces, is exact and goes in one. The
+// error of a velocity counts for the time that is left, and for a second at least.
 // A body that leaves its box could meet what its island does not know: then the long step is taken
 // back and cut. Bounces that rise less than a quarter of the tolerance are none: so bounces that
 // follow each other ever faster end in rest.

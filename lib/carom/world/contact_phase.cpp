@@ -45,13 +45,16 @@ void moveArms(const WorldState& state, const PairSlot& pair, std::uint32_t id,
   const BodySlot &a = state.bodies[at(pair.bodyA)], &b = state.bodies[at(pair.bodyB)];
   const Vector3 &wA = a.velocity.angular, &wB = b.velocity.angular;
   if (wA == Vector3::Zero() && wB == Vector3::Zero() && !(a.mass.inverseMass > 0)) return;
+  // A corner that turns far is somewhere else by then, and is no contact there: its speed at the end
+  // is not what anything has to stop.
+  if (task.speculative && std::max(wA.norm(), wB.norm()) * duration > kFastTurn) return;
   const FeatureKind onA = kindAt(id >> 16), onB = kindAt(id);
   const bool cornerA = onA == FeatureKind::vertex, cornerB = onB == FeatureKind::vertex;
   const bool roundA = onA == FeatureKind::surface, roundB = onB == FeatureKind::surface;
   if (!cornerA && !cornerB && !roundA && !roundB) return;
   const Vector3 parting = b.velocity.linear - a.velocity.linear;
-  const auto isBall = [&](const ShapeSlot& shape) { return shape.centred && shape.data->isBall; };
-  if (isBall(state.shapes[at(pair.shapeA)]) && isBall(state.shapes[at(pair.shapeB)])) {
+  if (isCentredBall(state.shapes[at(pair.shapeA)]) &&
+      isCentredBall(state.shapes[at(pair.shapeB)])) {
     // What is still apart must not come nearer along the normal of the start.
     if (!task.speculative) turnNormal(parting, duration, point, normal);
     return;
@@ -96,9 +99,10 @@ bool solveBlocks(WorldState& state, Real scale) {
   // Many events of one step share what one may cost, and what cannot be solved directly is not
   // tried at the next event.
   work.rowsLeft -= std::min(done.rows, work.rowsLeft);
-  if (done.factorisations > 0 && !done.direct) work.mayFactor = false;
+  const bool gaveUp = done.factorisations > 0 && !done.direct;
+  if (gaveUp) work.mayFactor = false;
   state.counters.islandsDirect += done.direct ? 1 : 0;
-  state.counters.islandsGivenUp += done.factorisations > 0 && !done.direct ? 1 : 0;
+  state.counters.islandsGivenUp += gaveUp ? 1 : 0;
   state.counters.factorisations += done.factorisations;
   if (done.looked) work.newton.dropRounding(work.moving);
   return done.settled;
@@ -219,17 +223,27 @@ void addPatch(WorldState& state, const PhaseTask& task, Index index) {
   }
 }
 
-// External forces, and what a body's own turning does to its rate.
-void accelerate(WorldState& state, Real duration) {
+// Whether a body's own turning changes its rate.
+bool nutates(const WorldState& state, const BodySlot& body) {
+  return isDynamic(body) && !body.turnsEvenly && state.settings.gyroscopic &&
+         body.velocity.angular != Vector3::Zero();
+}
+
+// External forces, and what a body's own turning does to its rate. If the end is known the solver
+// has the inertia of there.
+void accelerate(WorldState& state, Real duration, bool endKnown = false) {
   Workspace& work = state.work;
   for (std::size_t i = 0; i < work.members.size(); ++i) {
     const BodySlot& body = state.bodies[at(work.members[i])];
     if (!isDynamic(body)) continue;
     MovingBody& moving = work.moving[i];
     moving.velocity.linear += duration * freeAcceleration(state, body);
-    if (!body.turnsEvenly && state.settings.gyroscopic &&
-        body.velocity.angular != Vector3::Zero()) {
-      moving.velocity.angular = turnedRate(body, duration);
+    if (nutates(state, body)) {
+      const Matrix3& R = body.pose.R_WB;
+      moving.velocity.angular =
+          endKnown ? Vector3(moving.mass.inverseInertia *
+                             (R * body.moments.cwiseProduct(R.transpose() * body.velocity.angular)))
+                   : turnedRate(body, duration);
     }
     if (body.torque != Vector3::Zero()) {
       moving.velocity.angular += duration * (moving.mass.inverseInertia * body.torque);
@@ -265,6 +279,63 @@ Real workOf(const WorldState& state) {
   return sum;
 }
 
+// What the impulses of all contacts do for bodies that move as they do now [J].
+Real pushOf(const Workspace& work) {
+  Real sum = 0;
+  for (const ContactBlock& block : work.blocks) {
+    const MovingBody &a = work.moving[at(block.bodyA)], &b = work.moving[at(block.bodyB)];
+    const auto add = [&](const PushRow& row, Real impulse) {
+      if (impulse != 0) sum += impulse * speedAtEnd(row, a, b);
+    };
+    for (int i = 0; i < block.count; ++i) add(block.normals[at(i)], block.impulses[at(i)]);
+    for (int k = 0; k < block.rubs; ++k) add(block.tangents[at(k)], block.rub[k]);
+  }
+  return sum;
+}
+
+// Blocks of all patches, of the bodies as they move at the start; then what acts on these, and the
+// impulses to begin with. Contacts take energy or leave it: impulses that would make some are those
+// of another moment, such as a knock, and sweeps that end before they have gone throw bodies away.
+void prepareBlocks(WorldState& state, Real duration, bool endKnown = false) {
+  Workspace& work = state.work;
+  work.blocks.clear();
+  for (const WorkPatch& one : work.patches) {
+    work.blocks.push_back(prepareBlock(one.patch, work.moving));
+  }
+  accelerate(state, duration, endKnown);
+  const Real before = pushOf(work);
+  for (const ContactBlock& block : work.blocks) warmStart(block, work.moving);
+  if (!(before + pushOf(work) > 0)) return;
+  for (ContactBlock& block : work.blocks) {
+    block.impulses = {};
+    block.rub = Vector3::Zero();
+  }
+  for (std::size_t i = 0; i < work.members.size(); ++i) {
+    work.moving[i].velocity = state.bodies[at(work.members[i])].velocity;
+  }
+  accelerate(state, duration, endKnown);
+}
+
+// A torque turns a body a little farther than it turns by itself, and the inertia with it. That is
+// known only when the contacts have been solved; without it a top is right to the first power of
+// the step. So they are solved once more, with the inertia of the end.
+bool solveWithEnd(WorldState& state, const PhaseTask& task, Real scale) {
+  Workspace& work = state.work;
+  const Real duration = task.end - task.start;
+  for (std::size_t i = 0; i < work.members.size(); ++i) {
+    const BodySlot& body = state.bodies[at(work.members[i])];
+    MovingBody& moving = work.moving[i];
+    if (nutates(state, body)) {
+      const Vector3 mean = (body.velocity.angular + moving.velocity.angular) / 2;
+      const Quaternion end = integrateOrientation(body.orientation, mean, duration);
+      moving.mass.inverseInertia = inverseInertiaOf(body, quaternionToMatrix(end));
+    }
+    moving.velocity = body.velocity;
+  }
+  prepareBlocks(state, duration, true);
+  return solveBlocks(state, scale);
+}
+
 void storeForces(WorldState& state, Real start, Real duration) {
   Workspace& work = state.work;
   for (std::size_t i = 0; i < work.patches.size(); ++i) {
@@ -283,6 +354,22 @@ void storeForces(WorldState& state, Real start, Real duration) {
     pair.sticks = sticks && (first || pair.sticks);
     pair.stop = first ? stop : std::min(stop, pair.stop);
   }
+}
+
+// Whether something slides whose friction does not act where its pressure is centred, and would
+// turn it. Then the patches hold the solution, to begin again with.
+bool takeCentres(WorldState& state) {
+  constexpr Real kOff = 1e-6;
+  Workspace& work = state.work;
+  bool off = false;
+  for (std::size_t i = 0; i < work.blocks.size(); ++i) {
+    const ContactBlock& block = work.blocks[i];
+    off = off || (block.slips && centreShift(block, work.patches[i].patch) > kOff);
+  }
+  for (std::size_t i = 0; off && i < work.blocks.size(); ++i) {
+    storeImpulses(work.blocks[i], work.patches[i].patch);
+  }
+  return off;
 }
 
 }  // namespace
@@ -321,15 +408,28 @@ bool solvePhase(WorldState& state, const PhaseTask& task) {
   }
   if (work.patches.empty()) return true;
 
-  for (const WorkPatch& one : work.patches) {
-    work.blocks.push_back(prepareBlock(one.patch, work.moving));
-    state.counters.normalRows += work.blocks.back().count;
-    state.counters.frictionRows += work.blocks.back().rubs;
-  }
   const Real scale = scaleOf(state, duration);
-  accelerate(state, duration);
-  for (const ContactBlock& block : work.blocks) warmStart(block, work.moving);
-  const bool settled = solveBlocks(state, scale);
+  prepareBlocks(state, duration);
+  for (const ContactBlock& block : work.blocks) {
+    state.counters.normalRows += block.count;
+    state.counters.frictionRows += block.rubs;
+  }
+  bool settled = solveBlocks(state, scale);
+  // Friction acts at the centre of the pressure, which only the solution tells. Among many bodies
+  // the next step is soon enough, and to begin anew what hardly settles may drive it apart.
+  constexpr int kRounds = 3;
+  const bool alone = task.bodies.size() == 1 && !task.speculative;
+  for (int round = 0; round < kRounds && alone && settled && takeCentres(state); ++round) {
+    for (std::size_t i = 0; i < work.members.size(); ++i) {
+      work.moving[i].velocity = state.bodies[at(work.members[i])].velocity;
+    }
+    prepareBlocks(state, duration);
+    settled = solveBlocks(state, scale);
+  }
+  const auto isNutating = [&](Index body) { return nutates(state, state.bodies[at(body)]); };
+  if (state.longSteps && std::any_of(task.bodies.begin(), task.bodies.end(), isNutating)) {
+    settled = solveWithEnd(state, task, scale);
+  }
   // A point that parts and is held at its end moves on by the mean of both, against the force that
   // holds it. Where such points are no events this makes energy, and the end alone counts.
   const bool byEnd = task.speculative && workOf(state) > 0;

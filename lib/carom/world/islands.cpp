@@ -32,7 +32,8 @@ Index newIsland(WorldState& state) {
   IslandSlot& slot = state.islands[at(island)];
   slot.alive = slot.awake = true;
   slot.mustSplit = slot.unsorted = slot.still = false;
-  slot.hardFor = slot.newFor = 0;
+  slot.hardFor = slot.newFor = slot.pileFor = 0;
+  slot.isPile = false;
   slot.subStep = 0;
   slot.awakeAt = static_cast<Index>(state.awakeIslands.size());
   state.awakeIslands.push_back(island);
@@ -82,16 +83,24 @@ Index islandOf(WorldState& state, Index body) {
 void join(WorldState& state, Index from, Index to) {
   for (const Index body : state.islands[at(from)].bodies) addBody(state, to, body);
   for (const Index pair : state.islands[at(from)].pairs) addPair(state, to, pair);
-  state.islands[at(to)].mustSplit |= state.islands[at(from)].mustSplit;
+  IslandSlot &joined = state.islands[at(to)], &ended = state.islands[at(from)];
+  joined.mustSplit |= ended.mustSplit;
+  joined.pileFor = std::max(joined.pileFor, ended.pileFor);
+  joined.isPile |= ended.isPile;
   endIsland(state, from);
 }
 
 void sortIsland(WorldState& state, IslandSlot& island) {
   std::sort(island.bodies.begin(), island.bodies.end());
-  std::sort(island.pairs.begin(), island.pairs.end(),
-            [&](Index a, Index b) { return orderOf(state, a) < orderOf(state, b); });
-  for (std::size_t i = 0; i < island.pairs.size(); ++i) {
-    state.pairs[at(island.pairs[i])].islandAt = static_cast<Index>(i);
+  // The orders first: each is asked for a dozen times.
+  std::vector<OrderedPair>& sorted = state.work.sorted;
+  sorted.clear();
+  for (const Index pair : island.pairs) sorted.push_back({orderOf(state, pair), pair});
+  std::sort(sorted.begin(), sorted.end(),
+            [](const OrderedPair& a, const OrderedPair& b) { return a.order < b.order; });
+  for (std::size_t i = 0; i < sorted.size(); ++i) {
+    island.pairs[i] = sorted[i].pair;
+    state.pairs[at(sorted[i].pair)].islandAt = static_cast<Index>(i);
   }
   island.unsorted = false;
 }
@@ -132,6 +141,8 @@ void split(WorldState& state, Index index) {
   // All leave; who still is held by a pair finds the others of its label again.
   work.set = state.islands[at(index)].bodies;
   work.setPairs = state.islands[at(index)].pairs;
+  const IslandSlot whole{.pileFor = state.islands[at(index)].pileFor,
+                         .isPile = state.islands[at(index)].isPile};
   endIsland(state, index);
   for (const Index body : work.set) state.bodies[at(body)].island = kNone;
   for (std::size_t i = 0; i < work.setPairs.size(); ++i) {
@@ -139,6 +150,8 @@ void split(WorldState& state, Index index) {
     const Index body = isDynamic(state.bodies[at(pair.bodyA)]) ? pair.bodyA : pair.bodyB;
     const Index label = work.labels[at(state.bodies[at(body)].local)];
     const Index island = islandOf(state, work.set[at(label)]);
+    state.islands[at(island)].pileFor = whole.pileFor;
+    state.islands[at(island)].isPile = whole.isPile;
     addPair(state, island, work.setPairs[i]);
   }
   for (std::size_t i = 0; i < count; ++i) {
@@ -253,7 +266,8 @@ void wakeIsland(WorldState& state, Index island) {
   // The plain function says who wakes; an island that is in order wakes as a whole.
   describe(state, slot);
   Workspace& work = state.work;
-  std::vector<std::uint8_t> asleep(work.flags.size(), 1);
+  std::vector<std::uint8_t>& asleep = work.asleep;
+  asleep.assign(work.flags.size(), 1);
   for (std::size_t i = 0; i < slot.bodies.size(); ++i) {
     if (asleep[i] != 0) wake(static_cast<Index>(i), work.links, work.flags, asleep);
   }

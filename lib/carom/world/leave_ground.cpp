@@ -16,8 +16,6 @@ namespace carom::world {
 
 namespace {
 
-constexpr Real kNever = std::numeric_limits<Real>::infinity();
-
 // Whether a ball lets go of a face where it crosses side k.
 bool endsAt(const GroundFace& face, std::size_t k) {
   constexpr Real kBend = 5e-4;  // the tangent of half of a thousandth of a radian
@@ -44,10 +42,6 @@ Real risingTime(Real place, Real speed, Real pull) {
   if (root < 0) return kNever;
   if (speed > 0) return -2 * place / (speed + std::sqrt(root));
   return pull > 0 ? (std::sqrt(root) - speed) / pull : kNever;
-}
-
-bool isCentredBall(const ShapeSlot& shape) {
-  return shape.data->isBall && shape.centred;
 }
 
 }  // namespace

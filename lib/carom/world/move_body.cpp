@@ -1,5 +1,7 @@
 #include "carom/world/move_body.hpp"
 
+#include <cmath>
+
 #include "carom/motion/careful_sum.hpp"
 #include "carom/motion/split_rotor.hpp"
 #include "carom/rotation/integrate_orientation.hpp"
@@ -58,6 +60,16 @@ void turnFreely(WorldState& state, BodySlot& body, Real duration, BodyState& aft
   }
 }
 
+// Whether a small error of where a body lies is a large one of its energy: it turns far in this
+// time, or is a needle, whose spin about its length is a thousandth of what the same momentum is
+// about any other axis.
+bool needsEnergyKept(const BodySlot& body, const Vector3& rate, Real duration) {
+  if (body.turnsEvenly || !isDynamic(body) || rate == Vector3::Zero()) return false;
+  constexpr Real kNeedle = 100;
+  return rate.norm() * duration > kFastTurn ||
+         body.moments.maxCoeff() > kNeedle * body.moments.minCoeff();
+}
+
 }  // namespace
 
 Matrix3 inverseInertiaOf(const BodySlot& body, const Matrix3& R_WB) {
@@ -65,6 +77,23 @@ Matrix3 inverseInertiaOf(const BodySlot& body, const Matrix3& R_WB) {
   const Matrix3 scaled = R_WB * body.moments.cwiseInverse().asDiagonal();
   const Matrix3 inverse = scaled * R_WB.transpose();
   return (inverse + inverse.transpose()) / 2;
+}
+
+namespace {
+
+// Twice the energy with which a body turns.
+Real turningEnergy(const BodySlot& body, const Matrix3& R_WB, const Vector3& rate) {
+  const Vector3 w = R_WB.transpose() * rate;
+  return w.dot(body.moments.cwiseProduct(w));
+}
+
+}  // namespace
+
+void keepTurningEnergy(BodySlot& body, const Matrix3& R_WB) {
+  Vector3& w = body.velocity.angular;
+  const Real before = turningEnergy(body, R_WB, w);
+  const Real now = turningEnergy(body, body.pose.R_WB, w);
+  if (now > before) w *= std::sqrt(before / now);
 }
 
 void refreshPose(BodySlot& body) {
@@ -106,6 +135,11 @@ void moveBody(WorldState& state, Index index, Real time, bool last) {
   if (time == body.clock) return;
   const BodyState after = bodyAt(state, index, time);
   const Quaternion &q = after.orientation, &before = body.orientation;
+  // Contacts have pushed the body as it would lie in the middle of this time.
+  const Real duration = time - body.clock;
+  const bool isFast = !body.isFree && needsEnergyKept(body, body.velocity.angular, duration);
+  const Quaternion middle =
+      isFast ? integrateOrientation(before, body.velocity.angular, duration / 2) : Quaternion{};
   const bool turned = q.w != before.w || q.x != before.x || q.y != before.y || q.z != before.z;
   if (body.anchor && !body.isFree) dropAnchor(state, body);
   if (body.anchor) {
@@ -121,6 +155,7 @@ void moveBody(WorldState& state, Index index, Real time, bool last) {
   } else {
     body.pose.p_WB = body.position;
   }
+  if (isFast) keepTurningEnergy(body, quaternionToMatrix(middle));
 }
 
 void giveAnchor(WorldState& state, BodySlot& body, const RotorAnchor& anchor) {
@@ -151,6 +186,14 @@ Vector3 turnedRate(const BodySlot& body, Real duration) {
     const Quaternion turn = integrateOrientation(Quaternion{}, (w + after) / 2, duration);
     const Matrix3 turned = quaternionToMatrix(turn) * R;
     after = turned * (turned.transpose() * L).cwiseQuotient(body.moments);
+  }
+  // Two rounds are not enough for a body that turns far in this time; then its energy at least
+  // stays what it was, as it lies in the middle, where contacts push it.
+  if (needsEnergyKept(body, w, duration)) {
+    const Matrix3 middle =
+        quaternionToMatrix(integrateOrientation(body.orientation, w, duration / 2));
+    const Real before = turningEnergy(body, R, w), now = turningEnergy(body, middle, after);
+    if (now > before) after *= std::sqrt(before / now);
   }
   return after;
 }

@@ -14,6 +14,15 @@
 
 namespace carom::world {
 
+/// A body that turns farther than this while something is searched or solved is looked at more
+/// closely [rad]. \ingroup world
+inline constexpr Real kFastTurn = 0.25;
+
+/// A body has been turned, and its angular velocity has been left: takes of that what would give it
+/// more energy than it had. \param body whose \param R_WB where it was [world from inner frame]
+/// \ingroup world
+void keepTurningEnergy(BodySlot& body, const Matrix3& R_WB);
+
 /// A body at some moment. \ingroup world
 struct BodyState {
   Vector3 position = Vector3::Zero();  ///< centre of mass [m, world]

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "carom/core/cross.hpp"
+#include "carom/detection/signed_distance.hpp"
 #include "carom/manifold/contact_ids.hpp"
 #include "carom/toi/first_contact.hpp"
 #include "carom/toi/swept_ball_plane.hpp"
@@ -16,8 +17,6 @@
 namespace carom::world {
 
 namespace {
-
-constexpr Real kNever = std::numeric_limits<Real>::infinity();
 
 // The first time at which gap + speed t + pull t^2 / 2 comes down to zero. A gap that is closed
 // already has to open first.
@@ -90,6 +89,38 @@ TimeOfImpact searchFirst(const ShapeSlot& a, const Sweep& A, const ShapeSlot& b,
   return firstContact(a.data->whole, A, b.data->whole, B, duration);
 }
 
+// A body that touches and turns far may come down with what is not in the manifold: it is looked at
+// a few times until `end`. Returns when, or `end` if that is the next event, or never if it is the
+// end of the step.
+Real nextOfTurned(WorldState& state, const PairSlot& pair, Real time, Real end, Real endOfStep) {
+  constexpr int kMostParts = 64;
+  const Real otherwise = end < endOfStep ? end : kNever;
+  const ShapeSlot &a = state.shapes[at(pair.shapeA)], &b = state.shapes[at(pair.shapeB)];
+  const auto rateOf = [&](const BodySlot& body, const ShapeSlot& shape) {
+    if (isCentredBall(shape)) return Real(0);
+    return body.velocity.angular.norm() + (end - time) * body.turning.norm();
+  };
+  const Real turn = (end - time) * std::max(rateOf(state.bodies[at(pair.bodyA)], a),
+                                            rateOf(state.bodies[at(pair.bodyB)], b));
+  if (!(turn > kFastTurn)) return otherwise;
+  const int parts = static_cast<int>(std::min(Real(kMostParts), std::ceil(turn / kFastTurn)));
+  for (int part = 1; part < parts; ++part) {
+    const Real later = time + (end - time) * part / parts;
+    const BodyState A = bodyAt(state, pair.bodyA, later), B = bodyAt(state, pair.bodyB, later);
+    const Pose poseA = poseOf(A.orientation, A.position), poseB = poseOf(B.orientation, B.position);
+    const Separation found =
+        signedDistance(a.data->whole, a.centred ? poseA : composed(poseA, a.pose), b.data->whole,
+                       b.centred ? poseB : composed(poseB, b.pose));
+    if (found.separation >= -state.settings.restTolerance) continue;
+    const Vector3 point = (found.pointA + found.pointB) / 2;
+    const Vector3 speed =
+        B.velocity.linear + cross(B.velocity.angular, Vector3(point - B.position)) -
+        A.velocity.linear - cross(A.velocity.angular, Vector3(point - A.position));
+    if (found.normal.dot(speed) < -slowSpeed(state)) return later;
+  }
+  return otherwise;
+}
+
 }  // namespace
 
 Real nextContact(WorldState& state, Index index, Real time, Real end) {
@@ -105,7 +136,7 @@ Real nextContact(WorldState& state, Index index, Real time, Real end) {
     for (int i = 0; i < pair.manifold.count; ++i) closed = closed || isClosed(state, pair, i);
     if (closed) {
       const Real after = nextOfPoints(state, pair);
-      return after < duration ? time + after : kNever;
+      return nextOfTurned(state, pair, time, after < duration ? time + after : end, end);
     }
   }
   const ShapeSlot &a = state.shapes[at(pair.shapeA)], &b = state.shapes[at(pair.shapeB)];
@@ -119,7 +150,7 @@ Real nextContact(WorldState& state, Index index, Real time, Real end) {
       gap = std::min(gap, pair.manifold.points[at(i)].separation);
     }
     const auto turning = [&](const BodySlot& body, const BodyState& now, const ShapeSlot& shape) {
-      if (shape.centred && shape.data->isBall) return Real(0);
+      if (isCentredBall(shape)) return Real(0);
       const Real rate = now.velocity.angular.norm() + duration * body.turning.norm();
       return body.reach * rate * duration;
     };
@@ -133,6 +164,12 @@ Real nextContact(WorldState& state, Index index, Real time, Real end) {
   const TimeOfImpact hit =
       searchFirst(a, sweepOf(bodyA, nowA, a), b, sweepOf(bodyB, nowB, b), duration);
   if (hit.status == ImpactStatus::kNoHit) return kNever;
+  if (pair.madeAt == time && time + hit.time == time) {
+    // The search finds a touch where the manifold has a little gap, which counts: it is what is
+    // acted on. A touch that nobody acts on is found again and again.
+    const Real after = nextOfPoints(state, pair);
+    return nextOfTurned(state, pair, time, after < duration ? time + after : end, end);
+  }
   return time + hit.time;
 }
 

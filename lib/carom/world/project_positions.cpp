@@ -13,12 +13,13 @@ namespace carom::world {
 
 namespace {
 
-// How far a point should move along the normal in this step; zero for most of them.
-Real wantedWay(const WorldState& state, const PairSlot& pair, int point) {
+// How far a point should move along the normal in this step; zero for most of them. One that
+// carries is closed again if it has come off by less than a gap.
+Real wantedWay(const PairSlot& pair, int point, Real gap) {
   // Deeper overlaps than this come apart over several steps, lest bodies jump.
   constexpr Real kAtOnce = 1e-4, kShare = 0.2;
   const Real separation = pair.manifold.points[at(point)].separation;
-  if (separation > 0 && !(pair.force[at(point)] > 0 && isClosed(state, pair, point))) return 0;
+  if (separation > 0 && !(pair.force[at(point)] > 0 && separation <= gap)) return 0;
   const Real way = -separation;
   return way > kAtOnce ? kAtOnce + kShare * (way - kAtOnce) : way;
 }
@@ -34,6 +35,11 @@ Real littleWay(const WorldState& state, const PairSlot& pair) {
 
 bool projectPositions(WorldState& state, std::span<const Index> bodies,
                       std::span<const Index> pairs) {
+  return projectPositions(state, bodies, pairs, state.settings.restTolerance);
+}
+
+bool projectPositions(WorldState& state, std::span<const Index> bodies,
+                      std::span<const Index> pairs, Real gap) {
   Workspace& work = state.work;
   // Is anything off?
   std::int64_t off = 0;
@@ -41,7 +47,7 @@ bool projectPositions(WorldState& state, std::span<const Index> bodies,
     const PairSlot& pair = state.pairs[at(index)];
     bool one = false;
     for (int i = 0; i < pair.manifold.count; ++i) {
-      one = one || std::abs(wantedWay(state, pair, i)) > littleWay(state, pair);
+      one = one || std::abs(wantedWay(pair, i, gap)) > littleWay(state, pair);
     }
     off += one ? 1 : 0;
   }
@@ -61,13 +67,21 @@ bool projectPositions(WorldState& state, std::span<const Index> bodies,
       // Points that are apart must not be pushed into each other.
       PatchPoint point = armsOf(state, pair, i);
       const Real separation = pair.manifold.points[at(i)].separation;
-      const bool closed = separation <= 0 || wantedWay(state, pair, i) != 0;
-      point.target = closed ? wantedWay(state, pair, i) : -separation;
+      const bool closed = separation <= 0 || wantedWay(pair, i, gap) != 0;
+      point.target = closed ? wantedWay(pair, i, gap) : -separation;
       addPoint(one, i, point);
     }
     if (one.patch.count == 0) continue;
     work.patches.push_back(one);
     work.blocks.push_back(prepareBlock(one.patch, work.moving));
+    // What carried and came off is pulled back. So is what is that near in single steps, where
+    // stacks would come apart by roundings; steps whose error is looked at must not be pulled so.
+    for (int k = 0; k < one.patch.count; ++k) {
+      const Real target = one.patch.points[at(k)].target;
+      work.blocks.back().holds[at(k)] = state.longSteps
+                                            ? wantedWay(pair, one.pointOf[at(k)], gap) < 0
+                                            : target < 0 && -target <= gap;
+    }
   }
 
   // Sweeps; a contact that is to close is a row that pulls, too.
@@ -78,8 +92,7 @@ bool projectPositions(WorldState& state, std::span<const Index> bodies,
       MovingBody &a = work.moving[at(block.bodyA)], &b = work.moving[at(block.bodyB)];
       for (int i = 0; i < block.count; ++i) {
         const Real missing = block.targets[at(i)] - speedAtEnd(block.normals[at(i)], a, b);
-        const bool pulls =
-            block.targets[at(i)] < 0 && -block.targets[at(i)] <= state.settings.restTolerance;
+        const bool pulls = block.holds[at(i)];
         const Real wanted = block.impulses[at(i)] + block.masses[at(i)] * missing;
         const Real total = pulls ? wanted : std::max(Real(0), wanted);
         const Real added = total - block.impulses[at(i)];
@@ -105,11 +118,15 @@ bool projectPositions(WorldState& state, std::span<const Index> bodies,
     BodySlot& body = state.bodies[at(index)];
     const Velocity& way = work.moving[at(body.local)].velocity;
     body.position += way.linear;
+    const Matrix3 before = body.pose.R_WB;
     if (way.angular != Vector3::Zero()) {
       body.orientation = integrateOrientation(body.orientation, way.angular, 1);
       dropAnchor(state, body);
     }
     refreshPose(body);
+    // What is pushed out of a deep overlap turns visibly, and must not turn faster for it.
+    constexpr Real kVisible = 1e-3;
+    if (!body.turnsEvenly && way.angular.norm() > kVisible) keepTurningEnergy(body, before);
   }
   return true;
 }

@@ -21,6 +21,12 @@ namespace carom::world {
 bool projectPositions(WorldState& state, std::span<const Index> bodies,
                       std::span<const Index> pairs);
 
+/// The same for gaps of another size. \param state of the world \param bodies dynamic ones; they
+/// are moved \param pairs with fresh manifolds \param gap up to which a contact that carried is
+/// closed again [m] \return whether anything was moved \ingroup world
+bool projectPositions(WorldState& state, std::span<const Index> bodies,
+                      std::span<const Index> pairs, Real gap);
+
 /// The same at the end of a step for balls that touch: they went round each other on parabolas,
 /// and the overlap that this leaves is closed while it is smallest. Repeated until nothing is off,
 /// since separations of balls are no straight lines. Islands with other shapes, and those in which

@@ -51,6 +51,7 @@ void listContacts(WorldState& state, std::span<const Index> pairs) {
   Workspace& work = state.work;
   work.contacts.clear();
   work.contactPairs.clear();
+  work.contactPoints.clear();
   const Real slow = slowSpeed(state);
   for (const Index index : pairs) {
     const PairSlot& pair = state.pairs[at(index)];
@@ -67,6 +68,7 @@ void listContacts(WorldState& state, std::span<const Index> pairs) {
                      pair.friction, 0};
       work.contacts.push_back(contact);
       work.contactPairs.push_back(index);
+      work.contactPoints.push_back(i);
     }
   }
 }
@@ -76,11 +78,7 @@ void bounceAll(WorldState& state, std::span<const Index> pairs, Real time) {
   Workspace& work = state.work;
   listContacts(state, pairs);
   const auto reportAt = [&](std::size_t i, Real approach, Real impulse) {
-    const PairSlot& pair = state.pairs[at(work.contactPairs[i])];
-    int point = 0;
-    for (std::size_t j = i; j-- > 0 && work.contactPairs[j] == work.contactPairs[i];) ++point;
-    report(state, work.contactPairs[i], std::min(point, pair.manifold.count - 1), time, approach,
-           impulse);
+    report(state, work.contactPairs[i], work.contactPoints[i], time, approach, impulse);
   };
   if (work.contacts.size() == 1) {
     const BodyContact& one = work.contacts[0];
@@ -91,14 +89,15 @@ void bounceAll(WorldState& state, std::span<const Index> pairs, Real time) {
     reportAt(0, approach, impulse.dot(one.contact.normal));
     return;
   }
-  std::vector<Real> approach(work.contacts.size());
+  std::vector<Real>& approach = work.approaches;
+  approach.resize(work.contacts.size());
   for (std::size_t i = 0; i < work.contacts.size(); ++i) {
     const BodyContact& c = work.contacts[i];
     approach[i] = -relativeVelocity(work.moving[at(c.bodyA)], work.moving[at(c.bodyB)], c.contact)
                        .dot(c.contact.normal);
   }
-  const SimultaneousImpacts done =
-      simultaneousImpacts(work.moving, work.contacts, {.stopsSlip = true});
+  SimultaneousImpacts& done = work.impactRounds;
+  simultaneousImpacts(work.moving, work.contacts, {.stopsSlip = true}, work.impactMemory, done);
   for (std::size_t i = 0; i < work.contacts.size(); ++i) {
     if (done.normalImpulses[i] > 0) reportAt(i, approach[i], done.normalImpulses[i]);
   }
@@ -117,8 +116,7 @@ void solveNow(WorldState& state, Real scale) {
 // Whether pressure cannot turn a body: it is a ball about its middle.
 bool isRound(const WorldState& state, const BodySlot& body) {
   if (body.shapes.size() != 1) return false;
-  const ShapeSlot& shape = state.shapes[at(body.shapes[0])];
-  return shape.centred && shape.data->isBall;
+  return isCentredBall(state.shapes[at(body.shapes[0])]);
 }
 
 // What rounding makes of arms and normals is no spin: a ball that nothing rubs does not turn.
@@ -166,6 +164,69 @@ WorkPatch impactPatch(const WorldState& state, Index index) {
   // Friction in an impact is what it takes to stick, within the cone, however fast the slip is.
   one.patch.slowest = std::numeric_limits<Real>::infinity();
   return one;
+}
+
+// Twice the energy of motion of the bodies at hand, before or after what has been solved, as those
+// see it that nothing stops, for whom they do no work; infinite before, if these move against each
+// other or turn, and so may have given some.
+Real motionOf(const WorldState& state, bool after) {
+  const Workspace& work = state.work;
+  Vector3 frame = Vector3::Zero();
+  bool known = false;
+  for (const Index index : work.members) {
+    const BodySlot& body = state.bodies[at(index)];
+    if (isDynamic(body)) continue;
+    const bool differs = known && body.velocity.linear != frame;
+    if (!after && (differs || body.velocity.angular != Vector3::Zero())) {
+      return std::numeric_limits<Real>::infinity();
+    }
+    frame = body.velocity.linear;
+    known = true;
+  }
+  Real sum = 0;
+  for (std::size_t i = 0; i < work.members.size(); ++i) {
+    const BodySlot& body = state.bodies[at(work.members[i])];
+    const Velocity& v = after ? work.moving[i].velocity : body.velocity;
+    if (!isDynamic(body)) continue;
+    const Vector3 w = body.pose.R_WB.transpose() * v.angular;
+    sum += body.weight * (v.linear - frame).squaredNorm() + w.dot(body.moments.cwiseProduct(w));
+  }
+  return sum;
+}
+
+// Bounces that are asked for in several places at once may ask for more than there is. Then they
+// are as much less as keeps the energy: between no bounce, which loses some, and that.
+void bounceLess(WorldState& state, std::span<const Index> bodies, std::span<const Index> pairs,
+                Real fastest, Real most) {
+  Workspace& work = state.work;
+  work.bounced.clear();
+  for (const MovingBody& body : work.moving) work.bounced.push_back(body.velocity);
+  gather(state, bodies, pairs);
+  for (WorkPatch& one : work.patches) {
+    for (int k = 0; k < one.patch.count; ++k) {
+      Real& target = one.patch.points[at(k)].target;
+      target = std::min(target, Real(0));
+    }
+  }
+  solveNow(state, fastest);
+  // The energy is a parabola over the share of the bounce, and starts below.
+  Real low = 0, high = 1;
+  constexpr int kHalvings = 30;
+  work.stopped.clear();
+  for (const MovingBody& body : work.moving) work.stopped.push_back(body.velocity);
+  const auto take = [&](Real share) {
+    for (std::size_t i = 0; i < work.moving.size(); ++i) {
+      const Velocity &a = work.stopped[i], &b = work.bounced[i];
+      work.moving[i].velocity = {a.linear + share * (b.linear - a.linear),
+                                 a.angular + share * (b.angular - a.angular)};
+    }
+  };
+  for (int i = 0; i < kHalvings; ++i) {
+    const Real middle = (low + high) / 2;
+    take(middle);
+    (motionOf(state, true) <= most ? low : high) = middle;
+  }
+  take(low);
 }
 
 void stopAll(WorldState& state, std::span<const Index> pairs, Real time, Real fastest) {
@@ -227,6 +288,8 @@ void resolveAtOnce(WorldState& state, std::span<const Index> bodies, std::span<c
   }
   if (fastest == 0) return;
   solveNow(state, fastest);
+  const Real before = motionOf(state, false);
+  if (before < motionOf(state, true)) bounceLess(state, bodies, pairs, fastest, before);
   reportSolved(state, time);
   takeVelocities(state, bodies, pairs);
 }

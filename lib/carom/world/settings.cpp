@@ -34,6 +34,10 @@ void requireUsable(const WorldSettings& settings) {
   if (settings.pileBodies < 0) {
     reject("pileBodies", std::to_string(settings.pileBodies), "must be zero or positive");
   }
+  requireAtLeastOne(settings.pileWork, "pileWork");
+  if (settings.pileSteps < 0) {
+    reject("pileSteps", std::to_string(settings.pileSteps), "must be zero or positive");
+  }
   requireAtLeastOne(settings.shortSteps, "shortSteps");
   requireAtLeastOne(settings.threads, "threads");
   requirePositive(settings.contactMargin, "contactMargin");

@@ -6,6 +6,7 @@
 
 #include "carom/core/real.hpp"
 #include "carom/impulse/combine_restitution.hpp"
+#include "carom/solver/row_width.hpp"
 
 namespace carom::world {
 
@@ -39,8 +40,15 @@ struct WorldSettings {
   int eventContacts = 64;   ///< islands with more closed contacts than this take no events
   int pileContacts = 512;   ///< islands with more closed contacts than this are piles: soft steps
   int pileBodies = 300;     ///< so are islands of more bodies that do not bounce
-  int shortSteps = 8;       ///< of a pile in a step; positive
-  int threads = 1;          ///< who work on piles; the result is the same for any number; positive
+  /// An island of eight balls and more whose step took more than so many times what it would take
+  /// as a pile is one for the next `pileSteps` steps, as long as something in it rubs, nothing
+  /// bounces, and it has more closed contacts than `eventContacts`, or most of its bodies are faster
+  /// than a step of free fall makes them; positive.
+  int pileWork = 30;
+  int pileSteps = 60;  ///< for which an island stays a pile that took too much; zero or more
+  int shortSteps = 8;  ///< of a pile in a step; positive
+  int threads = 1;     ///< who work on piles; the result is the same for any number; positive
+  RowWidth rowWidth = RowWidth::widest;  ///< lanes of piles; the result is the same for each
   int directWork = 20'000;  ///< blocks multiplied at most to solve an island directly, zero or more
   int eventsPerBody =
       200;  ///< in one step; after that impacts are plastic, and then not looked for

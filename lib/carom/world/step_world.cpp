@@ -83,18 +83,22 @@ void countBodies(WorldState& state) {
   counters.pairsAsleep = state.broadPhase.pairs().size() - counters.pairsAwake;
 }
 
+//! [step]
 void stepWorld(WorldState& state, Real dt) {
   beginStep(state, dt);
   updatePairs(state, dt);
   updateManifolds(state, dt);
   splitIslands(state);
   countBodies(state);
-  // Kinematic bodies last: islands ask where they are at any time of the step.
-  for (const Index island : state.awakeIslands) advanceIsland(state, island, 0, dt);
+  for (const Index island : state.awakeIslands) {
+    advanceIsland(state, island, 0, dt);
+  }
+  // Kinematic bodies last: islands ask where they are at any time.
   advanceFree(state, dt);
   reportContacts(state);
   sleepIslands(state, dt);
   addCarefully(state.time, state.lostTime, dt);
 }
+//! [step]
 
 }  // namespace carom::world

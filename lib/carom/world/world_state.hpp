@@ -28,6 +28,7 @@
 #include "carom/world/events.hpp"
 #include "carom/world/ground.hpp"
 #include "carom/world/ids.hpp"
+#include "carom/world/kept_manifold.hpp"
 #include "carom/world/pile.hpp"
 #include "carom/world/settings.hpp"
 
@@ -35,6 +36,9 @@ namespace carom::world {
 
 /// Number of a body, shape, pair or island inside a world. \ingroup world
 using Index = std::int32_t;
+
+/// The time of what does not happen [s]. \ingroup world
+inline constexpr Real kNever = std::numeric_limits<Real>::infinity();
 
 /// A shape that never changes; worlds and snapshots share it. \ingroup world
 struct ShapeData {
@@ -128,6 +132,7 @@ struct PairSlot {
   bool touches = false;            ///< some point is closed, at the end of the last step
   bool sticks = false;             ///< friction held it in the last part of a step
   bool known = false;              ///< has been looked at in some step
+  bool carried = false;            ///< its manifold is that of an earlier step, carried along
   Real friction = 0;               ///< of the two materials [1]
   Real restitution = 0;            ///< of the two materials [1]
   ManifoldCache cache;             ///< hints
@@ -136,9 +141,9 @@ struct PairSlot {
   std::array<Real, 4> force = {};  ///< along the normal, of each point [N]
   Vector3 rub = Vector3::Zero();   ///< friction on B [N, world]
   Real twist = 0;                  ///< its torque about the normal [N m]
-  Real next = std::numeric_limits<Real>::infinity();   ///< when it may meet, in this step [s]
-  Real stop = std::numeric_limits<Real>::infinity();   ///< when it stops slipping, in this step [s]
-  Real renew = std::numeric_limits<Real>::infinity();  ///< when its forces are found anew [s]
+  Real next = kNever;              ///< when it may meet, in this step [s]
+  Real stop = kNever;              ///< when it stops slipping, in this step [s]
+  Real renew = kNever;             ///< when its forces are found anew [s]
 };
 
 /// Bodies that are joined by pairs. \ingroup world
@@ -149,13 +154,15 @@ struct IslandSlot {
   int hardFor = 0;        ///< steps for which it is not tried by events: its contacts do not settle
   int knocks = 0;         ///< impacts, and phases that did not settle, in this step
   int newFor = 0;         ///< steps for which a pile is solved with more care: its load is new
+  int pileFor = 0;        ///< steps for which it is a pile: anything else took too much
+  bool isPile = false;    ///< its last step was one of soft steps
   int strayFor = 0;       ///< steps for which it is not solved directly: that found nothing
   bool unsorted = false;  ///< something was added
   bool still = false;     ///< its last step changed nothing, so neither will the next
   Real subStep = 0;       ///< what its error asks for while the world advances; 0: not known [s]
   Index awakeAt = kNone;  ///< its place in the list of those awake
-  std::vector<Index> bodies;  ///< dynamic ones, ascending
-  std::vector<Index> pairs;   ///< pairs that hold it together, and those with immovable bodies
+  std::vector<Index> bodies = {};  ///< dynamic ones, ascending
+  std::vector<Index> pairs = {};   ///< pairs that hold it together, and those with immovable bodies
 };
 
 /// A patch that is being solved, and whose it is. \ingroup world
@@ -190,6 +197,12 @@ struct SavedBody {
   std::optional<RotorAnchor> anchor;   ///< of its free rotation, itself
 };
 
+/// A pair and its place in the order of an island. \ingroup world
+struct OrderedPair {
+  IndexPair order;     ///< see orderOf()
+  Index pair = kNone;  ///< which
+};
+
 /// Memory that stages use again in each step. \ingroup world
 struct Workspace {
   std::vector<MovingBody> moving;    ///< bodies as the solver sees them
@@ -198,15 +211,24 @@ struct Workspace {
   std::vector<ContactBlock> blocks;  ///< the same, prepared
   std::vector<Index> set;            ///< bodies that something has happened to
   std::vector<Index> setPairs;       ///< pairs of these
+  std::vector<Index> toMake;         ///< pairs that want a manifold at the start of the step
   std::vector<Index> innerPairs;     ///< of these, pairs whose bodies are all in the set
+  std::vector<OrderedPair> sorted;   ///< pairs of an island
   std::vector<Index> labels;         ///< of bodies, while islands are looked for
   std::vector<IndexPair> links;      ///< pairs of local numbers
   std::vector<std::uint8_t> flags;   ///< one per local body
+  std::vector<std::uint8_t> asleep;  ///< the same, while an island wakes
   bool mayFactor = true;             ///< the island at hand may be solved directly
   std::int64_t rowsLeft = 0;  ///< rows that sweeps over this island may still visit in this step
   IslandNewton newton;        ///< for islands that are solved directly
   std::vector<BodyContact> contacts;     ///< of impacts
   std::vector<Index> contactPairs;       ///< whose
+  std::vector<int> contactPoints;        ///< numbers of their points in the manifolds
+  std::vector<Velocity> bounced;         ///< after bounces that ask for too much
+  std::vector<Velocity> stopped;         ///< and without any
+  std::vector<Real> approaches;          ///< speeds of these before the impact [m/s]
+  ImpactMemory impactMemory;             ///< of impacts in several places at once
+  SimultaneousImpacts impactRounds;      ///< what came of them
   std::vector<BodyBefore> bodiesBefore;  ///< of an island that may be still
   std::vector<PairBefore> pairsBefore;   ///< of the same
   std::vector<SavedBody> tryBodies;      ///< bodies before a try
@@ -232,6 +254,7 @@ struct WorldState {
   std::vector<BodySlot> bodies;          ///< all bodies, with free places between
   std::vector<ShapeSlot> shapes;         ///< all shapes
   std::vector<PairSlot> pairs;           ///< by slot of the broad phase
+  std::vector<KeptManifold> kept;        ///< of each of these, what a pile carries along
   std::vector<IslandSlot> islands;       ///< all islands
   std::vector<RotorAnchor> anchors;      ///< of bodies that turn freely
   std::vector<Index> freeBodies;         ///< places that can be used again
@@ -271,6 +294,12 @@ inline std::size_t at(Index i) {
 /// Whether forces move a body. \param body any \return true for a dynamic one \ingroup world
 inline bool isDynamic(const BodySlot& body) {
   return body.kind == BodyKind::dynamic;
+}
+
+/// Whether a shape is a ball about the middle of its body: turning takes it nowhere.
+/// \param shape any \return true for such a ball \ingroup world
+inline bool isCentredBall(const ShapeSlot& shape) {
+  return shape.centred && shape.data->isBall;
 }
 
 /// Where a shape of a body is. \param body whose \param shape one of its shapes

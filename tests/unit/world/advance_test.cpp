@@ -3,12 +3,18 @@
 
 #include <cmath>
 #include <limits>
+#include <numbers>
+#include <vector>
 
 #include "carom/core/cross.hpp"
 #include "carom/core/errors.hpp"
+#include "carom/detection/hull_of_points.hpp"
 #include "carom/impulse/bouncing_ball.hpp"
 #include "carom/impulse/roll_ball.hpp"
 #include "carom/motion/free_rotor.hpp"
+#include "carom/rotation/axis_angle_to_quaternion.hpp"
+#include "carom/rotation/conjugate.hpp"
+#include "carom/rotation/hamilton_product.hpp"
 #include "scene_parts.hpp"
 #include "support/catch.hpp"
 
@@ -45,6 +51,8 @@ TEST_CASE("advance refuses times and tolerances that are none, and changes nothi
   for (const Real bad : {0.0, -1.0, nan, infinite}) {
     CHECK_THROWS_AS(world.advance(bad, 1e-6), InvalidInput);
     CHECK_THROWS_AS(world.advance(1, bad), InvalidInput);
+    CHECK_THROWS_WITH(world.advance(bad, 1e-6), ContainsSubstring("duration"));
+    CHECK_THROWS_WITH(world.advance(1, bad), ContainsSubstring("tolerance"));
   }
   CHECK(world.hash() == before);
   CHECK(world.time() == 0);
@@ -176,6 +184,77 @@ TEST_CASE("bodies far apart at the start of a long time meet in it") {
   CHECK_THAT(world.position(b).x(), WithinAbs(11, 1e-8));
   CHECK_THAT(world.position(c).x(), WithinAbs(12 + 2 * 5.0, 1e-8));
   CHECK(world.counters().impacts == 2);
+}
+
+TEST_CASE("a top precesses about its tip, as right as it is asked to") {
+  // Steady precession of a symmetric top about its tip, at the rate w of
+  // A cos(lean) w^2 - C spin w + m g l = 0 (Goldstein, Classical Mechanics, 5.7).
+  const Real l = 0.5, lean = 0.3, spin = 60, about = 0.1, across = 0.08, A = across + l * l;
+  const Real half = about * spin / (2 * A * std::cos(lean));
+  const Real rate = half - std::sqrt(half * half - kGravity * l / (A * std::cos(lean)));
+  const Real own = spin - rate * std::cos(lean);  // about its axis, beside the precession
+  const auto lies = [&](Real time) {
+    return hamiltonProduct(axisAngleToQuaternion({0, 0, 1}, rate * time),
+                           hamiltonProduct(axisAngleToQuaternion({0, 1, 0}, lean),
+                                           axisAngleToQuaternion({0, 0, 1}, own * time)));
+  };
+  const auto axis = [&](Real time) {
+    return Vector3(std::sin(lean) * std::cos(rate * time), std::sin(lean) * std::sin(rate * time),
+                   std::cos(lean));
+  };
+  std::vector<Vector3> corners{{0, 0, -l}};
+  for (int k = 0; k < 6; ++k) {
+    const Real angle = k * std::numbers::pi / 3;
+    corners.push_back({0.4 * std::cos(angle), 0.4 * std::sin(angle), 0.1});
+  }
+  for (const Real tolerance : {1e-3, 1e-6, 1e-9}) {
+    World world(awake());
+    addPlane(world, 10, 0);
+    BodyDescription top;
+    top.shapes = {made(hullOfPoints(corners), 10, 0)};
+    top.mass = MassProperties{
+        .volume = 1, .mass = 1, .inertia = Vector3(across, across, about).asDiagonal()};
+    top.position = l * axis(0);
+    top.orientation = lies(0);
+    top.angularVelocity = Vector3(0, 0, rate) + own * axis(0);
+    top.velocity = cross(top.angularVelocity, top.position);
+    const BodyId body = world.add(top);
+    world.advance(1, tolerance);
+    INFO("tolerance " << tolerance);
+    CHECK((world.position(body) - l * axis(1)).norm() < 3 * tolerance);
+    const Quaternion q = world.orientation(body), p = lies(1);
+    const Quaternion turn = hamiltonProduct(q, conjugate(p));
+    CHECK(2 * Vector3(turn.x, turn.y, turn.z).norm() < 3 * tolerance);
+  }
+}
+
+TEST_CASE("a fast ball enters a quiet stack") {
+  World world(awake());
+  addPlane(world, 0, 0);
+  std::vector<BodyId> boxes;
+  for (int i = 0; i < 5; ++i) {
+    boxes.push_back(
+        addBox(world, Vector3::Constant(0.5), {.mass = 3, .position = {0, 0, 0.5 + i}}));
+  }
+  // It hits the lowest box after 2 s, in the middle, and pushes it out of the stack.
+  const BodyId ball = addBall(world, 0.5, {.position = {-41, 0, 0.5}, .velocity = {20, 0, 0}});
+  const world::Snapshot start = world.save();
+  world.advance(1.9, 1e-9);
+  for (int i = 0; i < 5; ++i) {
+    const Vector3 centre = world.position(boxes[static_cast<std::size_t>(i)]);
+    CHECK((centre - Vector3(0, 0, 0.5 + i)).norm() < 1e-9);
+  }
+  world.restore(start);
+  world.advance(2.05, 1e-9);
+  REQUIRE(!world.events().impacts.empty());
+  const world::ImpactEvent& first = world.events().impacts[0];
+  CHECK_THAT(first.time, WithinAbs(2, 1e-9));
+  CHECK_THAT(first.approach, WithinAbs(20, 1e-9));
+  // Masses of 1 and 3 kg go on together, and what lay above comes straight down.
+  CHECK_THAT(world.velocity(ball).x(), WithinAbs(5, 1e-9));
+  CHECK_THAT(world.position(boxes[0]).x(), WithinAbs(5 * 0.05, 3e-9));
+  CHECK_THAT(world.position(boxes[4]).x(), WithinAbs(0, 3e-9));
+  CHECK_THAT(world.momentum().x(), WithinAbs(20, 1e-9));
 }
 
 TEST_CASE("advance goes on from a snapshot bit by bit, and comes to the same bits again") {

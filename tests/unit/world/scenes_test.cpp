@@ -5,6 +5,7 @@
 
 #include "carom/core/cross.hpp"
 #include "carom/core/random.hpp"
+#include "carom/detection/hull_of_points.hpp"
 #include "carom/impulse/bouncing_ball.hpp"
 #include "carom/motion/free_rotor.hpp"
 #include "carom/rotation/quaternion_to_matrix.hpp"
@@ -59,6 +60,31 @@ TEST_CASE("a block slides as far as its speed takes it, and straight on (B)") {
   CHECK_THAT(world.position(box).z(), WithinAbs(0.5, 1e-12));
   CHECK_THAT(world.orientation(box).z, WithinAbs(0, 1e-12));
   CHECK(world.velocity(box).norm() < 1e-14);
+}
+
+TEST_CASE("a hull on six uneven corners slides as far as its speed takes it, and does not spin") {
+  // Four of the six corners carry it, and their middle is not below its centre of mass.
+  std::vector<Vector3> corners;
+  for (const Real z : {0.0, 0.4}) {
+    for (const auto& [x, y] :
+         {std::pair(0.9, 0.1), {0.4, 0.7}, {-0.5, 0.8}, {-0.9, 0.0}, {-0.4, -0.6}, {0.5, -0.7}}) {
+      corners.push_back({x, y, z});
+    }
+  }
+  World world(awake());
+  addPlane(world, 0.5, 0);
+  const BodyId hull =
+      add(world, hullOfPoints(corners), 1, {.velocity = {3, 2, 0}, .friction = 0.5});
+  const Vector3 start = world.centre(hull);
+  Real spin = 0;
+  for (int k = 0; k < 120; ++k) {
+    world.step(kStep);
+    spin = std::max(spin, world.angularVelocity(hull).norm());
+  }
+  CHECK(spin < 1e-10);
+  const Vector3 way = Vector3(3, 2, 0).normalized() * 13 / kGravity;
+  CHECK((world.centre(hull) - start - way).norm() < 1e-9);
+  CHECK(world.velocity(hull).norm() < 1e-14);
 }
 
 TEST_CASE("a ball that slides begins to roll at its time (C)") {

@@ -1,0 +1,123 @@
+// What random scenes (the benchmark `stress`) have found, each in its smallest form.
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "scene_parts.hpp"
+#include "support/catch.hpp"
+
+using namespace carom_test;
+
+namespace {
+
+// Turned by an angle about a unit vector.
+Quaternion turned(const Vector3& axis, Real angle) {
+  const Vector3 v = std::sin(angle / 2) * axis;
+  return {std::cos(angle / 2), v.x(), v.y(), v.z()};
+}
+
+}  // namespace
+
+TEST_CASE(
+    "the impacts of an edge are told where the edge is, not at the corners still in the air") {
+  const Real lean = GENERATE(-0.01, 0.01);
+  const Vector3 axis = GENERATE(Vector3(1, 0, 0), Vector3(0, 1, 0));
+  World world(awake());
+  addPlane(world, 0, 0.5);
+  const Vector3 half(0.5, 0.4, 0.3);
+  addBox(world, half,
+         {.position = {0, 0, 0.4}, .orientation = turned(axis, lean), .restitution = 0.5});
+  int told = 0;
+  for (int step = 0; step < 60 && told == 0; ++step) {
+    world.step(kStep);
+    for (const auto& impact : world.events().impacts) {
+      // Later blows of the same step are those of the other edge.
+      if (impact.time > world.events().impacts.front().time) break;
+      ++told;
+      CHECK(std::abs(impact.point.z()) < 1e-6);
+      CHECK(impact.approach > 0);
+    }
+  }
+  CHECK(told > 0);
+}
+
+TEST_CASE("a light ball that is thrown farther than anybody looked does not pass the floor") {
+  World world(weightless());
+  addPlane(world, 0, 0);
+  const BodyId light =
+      addBall(world, 0.05, {.mass = 0.01, .position = {0, 0, 0.4}, .restitution = 1});
+  addBall(world, 0.25,
+          {.mass = 10, .position = {0, 0, 1}, .velocity = {0, 0, -30}, .restitution = 1});
+  // Struck in the middle of the first step, it flies at 60 m/s: beyond its box, and the floor.
+  for (int step = 0; step < 2; ++step) {
+    world.step(kStep);
+    CHECK(world.position(light).z() > 0.049);
+  }
+}
+
+TEST_CASE("a box that turns by radians in a step gains nothing from walls, without events either") {
+  WorldSettings settings = weightless();
+  settings.locateEvents = false;
+  Real most = 0;
+  for (int k = 0; k < 40; ++k) {
+    World world(settings);
+    addPlane(world, 0, 0);
+    addPlane(world, 0, 0, -Vector3::UnitZ(), {0, 0, 1.1});
+    const Vector3 axis = Vector3(std::sin(k), std::cos(k), 0.3).normalized();
+    addBox(world, {0.5, 0.1, 0.2},
+           {.position = {0, 0, 0.55},
+            .velocity = {0.5, 0, -1},
+            .angularVelocity = (30 + 6 * k) * axis});
+    Real energy = world.energy();
+    for (int step = 0; step < 30; ++step) {
+      world.step(kStep);
+      most = std::max(most, world.energy() / energy - 1);
+      energy = world.energy();
+    }
+  }
+  CHECK(most < 1e-3);
+}
+
+TEST_CASE("bounces in several places at once gain as little on a floor that moves") {
+  WorldSettings settings = weightless();
+  settings.locateEvents = false;
+  const Vector3 wind = GENERATE(Vector3(0, 0, 0), Vector3(2, 1, 3));
+  Real most = 0;
+  for (int k = 0; k < 40; ++k) {
+    World world(settings);
+    BodyDescription floor;
+    floor.kind = BodyKind::kinematic;
+    floor.position = {0, 0, -1};
+    floor.velocity = wind;
+    floor.shapes = {made(Box{{9, 9, 1}}, 1, 1)};
+    world.add(floor);
+    std::vector<BodyId> boxes;
+    for (int i = 0; i < 3; ++i) {
+      const Vector3 spin(std::sin(k + i), std::cos(2 * k - i), std::sin(3 * k));
+      boxes.push_back(addBox(world, {0.5, 0.3 + 0.1 * i, 0.2},
+                             {.mass = std::pow(10.0, (k + i) % 3),
+                              .position = {0.1 * i, 0, 0.21 + 0.405 * i},
+                              .velocity = wind + Vector3(0, 0, -1 - i),
+                              .angularVelocity = 3 * spin,
+                              .friction = 1,
+                              .restitution = 1}));
+    }
+    const auto energy = [&] {
+      Real sum = 0;
+      for (const BodyId box : boxes) {
+        const Vector3 w = world.angularVelocity(box);
+        sum += world.mass(box) * (world.velocity(box) - wind).squaredNorm() +
+               w.dot(world.inertia(box) * w);
+      }
+      return sum;
+    };
+    Real before = energy();
+    for (int step = 0; step < 20; ++step) {
+      world.step(kStep);
+      most = std::max(most, energy() / before - 1);
+      before = energy();
+    }
+  }
+  CHECK(most < 1e-3);
+}
