@@ -55,5 +55,6 @@ if(CAROM_JOLT_DIR)
 endif()
 
 carom_bench_suite(scenes SOURCES scenes_suite.cpp LIBRARIES carom_scene_rows)
+carom_bench_suite(accuracy SOURCES accuracy_suite.cpp accuracy_record.cpp LIBRARIES carom_scene_rows)
 carom_bench_suite(growth SOURCES growth_suite.cpp LIBRARIES carom_scene_rows)
 carom_bench_suite(skip SOURCES skip_suite.cpp LIBRARIES carom_scene_rows)

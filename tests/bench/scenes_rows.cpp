@@ -49,12 +49,15 @@ std::string inHex(std::uint64_t number) {
 }
 
 // What the child does: the run, as text.
-std::string runHere(const EngineKind& kind, const Scene& scene, Real dt, int repeats) {
+std::string runHere(const EngineKind& kind, const Scene& scene, Real dt,
+                    const SceneOptions& options) {
   Json row;
   try {
-    const scenes::Run run = scenes::runScene(
-        kind, scene, dt,
-        {.repeats = repeats, .allocations = allocationsSoFar, .bytes = bytesTaken});
+    const scenes::Run run = scenes::runScene(kind, scene, dt,
+                                             {.repeats = options.common.runs,
+                                              .batch = options.batch,
+                                              .allocations = allocationsSoFar,
+                                              .bytes = bytesTaken});
     row["allocations"] = run.allocations;
     row["bytes"] = run.bytes;
     row["steps"] = run.steps;
@@ -161,7 +164,7 @@ Json rowOf(const std::string& suite, const EngineKind& kind, const Scene& scene,
            {"engine", kind.name},
            {"version", kind.version},
            {"dt", 1 / rate},
-           {"threads", 1},
+           {"threads", kind.threads},
            {"bodies", scene.bodies.size()},
            {"duration", scene.duration}};
   int ends[2];
@@ -179,7 +182,7 @@ Json rowOf(const std::string& suite, const EngineKind& kind, const Scene& scene,
     dup2(nowhere, 2);
     const rlimit seconds{static_cast<rlim_t>(options.limit), static_cast<rlim_t>(options.limit)};
     setrlimit(RLIMIT_CPU, &seconds);
-    writeAll(ends[1], runHere(kind, scene, 1 / rate, options.common.runs));
+    writeAll(ends[1], runHere(kind, scene, 1 / rate, options));
     close(ends[1]);
     _exit(0);
   }

@@ -1,5 +1,5 @@
 #pragma once
-// Runs of scenes for the suites `scenes`, `growth` and `skip`: one process for each, so that an
+// Runs of scenes for the suites `scenes`, `accuracy`, `growth` and `skip`: one process for each, so that an
 // engine that crashes, hangs or asks for too much memory loses a row and not the suite.
 
 #include <string>
@@ -20,6 +20,7 @@ struct SceneOptions {
   int limit = 120;                   ///< processor time of a run [s]
   int most = 100'000;                ///< bodies, for growth and skipping
   bool list = false;                 ///< only say what there is
+  Real batch = 0;                    ///< as RunOptions has it [s]
 };
 
 /// Reads --engine A,B, --scene A,B, --rates 60,240, --limit SECONDS, --most N and --list, and

@@ -267,6 +267,21 @@ Scene twoBallsScene(const std::string& name, Real ratio) {
   return scene;
 }
 
+Scene obliqueScene() {
+  constexpr Real kRadius = 1, kAside = 0.7 * 2 * kRadius, kSpeed = 5;
+  Scene scene;
+  scene.name = "I13_oblique", scene.title = "a ball hits another off the line of centres";
+  scene.gravity = Vector3::Zero();
+  scene.bounces = true;
+  scene.bodies = {elasticBall(kRadius, 1, {0, 0, 0}), elasticBall(kRadius, 1, {-4.3, kAside, 0})};
+  scene.bodies[1].start.velocity = {kSpeed, 0, 0};
+  scene.duration = 1;
+  scene.judge = [](const Scene& s) {
+    return std::make_unique<ImpactsJudge>(s, kOpen, std::vector<Real>{s.duration});
+  };
+  return scene;
+}
+
 Scene breakScene(const std::string& name, int power) {
   constexpr Real kRadius = 0.5;
   Scene scene;

@@ -20,29 +20,10 @@ Real angleAboutY(const State& body) {
   return 2 * std::atan2(body.orientation.y, body.orientation.w);
 }
 
-// A moment between two looks, by the cubic that has the angles and rates of both, and its slope.
+// A moment between two looks.
 struct Crossing {
   Real time = 0, rate = 0;
 };
-
-Crossing crossingOf(Real t0, Real angle0, Real rate0, Real t1, Real angle1, Real rate1,
-                    Real level) {
-  const Real h = t1 - t0;
-  const auto at = [&](Real s) {
-    const Real s2 = s * s, s3 = s2 * s;
-    return (2 * s3 - 3 * s2 + 1) * angle0 + (s3 - 2 * s2 + s) * h * rate0 +
-           (3 * s2 - 2 * s3) * angle1 + (s3 - s2) * h * rate1 - level;
-  };
-  Real low = 0, high = 1;
-  for (int i = 0; i < 60; ++i) {
-    const Real middle = (low + high) / 2;
-    ((at(middle) > 0) == (at(0) > 0) ? low : high) = middle;
-  }
-  const Real s = low, s2 = s * s;
-  const Real slope = 6 * (s2 - s) * (angle0 - angle1) + (3 * s2 - 4 * s + 1) * h * rate0 +
-                     (3 * s2 - 2 * s) * h * rate1;
-  return {t0 + low * h, slope / h};
-}
 
 // --- S7
 
@@ -56,7 +37,7 @@ class DominoJudge : public Judge {
     if (time == 0) edge_ = edge;
     if (!found_) slip_ = std::max(slip_, (edge - edge_).norm());
     if (!found_ && time > 0 && angle >= kHit) {
-      hit_ = crossingOf(time_, angle_, rate_, time, angle, rate, kHit);
+      fall();
       found_ = true;
     }
     time_ = time, angle_ = angle, rate_ = rate;
@@ -70,6 +51,21 @@ class DominoJudge : public Judge {
   static inline const Real kHit = std::asin(0.5);
 
  private:
+  // From the last look to the hit by energy and Simpson's rule: a curve between two looks would be
+  // wrong by more than good engines are.
+  void fall() {
+    const auto square = [](Real angle) { return std::pow(tippingSpin(kBox, angle), 2); };
+    const Real start = rate_ * rate_ - square(angle_);
+    const auto slowness = [&](Real angle) {
+      return 1 / std::sqrt(std::max(start + square(angle), 1e-6));
+    };
+    constexpr int kParts = 32;
+    const Real h = (kHit - angle_) / kParts;
+    Real sum = slowness(angle_) + slowness(kHit);
+    for (int i = 1; i < kParts; ++i) sum += (i % 2 == 1 ? 4 : 2) * slowness(angle_ + i * h);
+    hit_ = {time_ + sum * h / 3, 1 / slowness(kHit)};
+  }
+
   Vector3 edge_ = Vector3::Zero();
   Crossing hit_;
   bool found_ = false;
@@ -87,9 +83,10 @@ class RockingJudge : public Judge {
       fall();
       fallen_ = true;
     }
-    // The largest angle on the other side: where the rate changes sign, by the rates' line.
+    // The largest angle on the other side: where the rate changes sign, by energy.
     if (fallen_ && !turned_ && angle < 0 && rate_ < 0 && rate >= 0) {
-      next_ = crossingAngle(angle_, rate_, angle, rate, time - time_);
+      const Real rise = std::cos(exact_.alpha + angle_) + rate_ * rate_ / (2 * pull2());
+      next_ = std::acos(std::min(rise, Real(1))) - exact_.alpha;
       turned_ = true;
     }
     time_ = time, angle_ = angle, rate_ = rate;
@@ -103,9 +100,13 @@ class RockingJudge : public Judge {
   }
 
  private:
-  void fall() {
+  static Real pull2() {
     const Rocking block;
-    const Real p2 = 3 * block.gravity / (4 * std::hypot(block.halfWidth, block.halfHeight));
+    return 3 * block.gravity / (4 * std::hypot(block.halfWidth, block.halfHeight));
+  }
+
+  void fall() {
+    const Real p2 = pull2();
     const auto pull = [&](Real angle) { return -p2 * std::sin(exact_.alpha - angle); };
     constexpr Real kPiece = 1e-5;  // of velocity Verlet, whose error is then 1e-10 [s]
     Real angle = angle_, rate = rate_, time = time_;
@@ -117,12 +118,6 @@ class RockingJudge : public Judge {
     }
     // Back by what was too much, which is less than a piece.
     impact_ = {time - angle / rate, rate - angle / rate * pull(0)};
-  }
-
-  static Real crossingAngle(Real angle0, Real rate0, Real angle1, Real rate1, Real h) {
-    const Real s = rate0 / (rate0 - rate1), s2 = s * s, s3 = s2 * s;
-    return (2 * s3 - 3 * s2 + 1) * angle0 + (s3 - 2 * s2 + s) * h * rate0 +
-           (3 * s2 - 2 * s3) * angle1 + (s3 - s2) * h * rate1;
   }
 
   RockingAnswer exact_ = rockingAnswer({});

@@ -21,7 +21,7 @@ float productOf(float a, std::uint64_t, float b, std::uint64_t) {
 
 class Box3d : public Engine {
  public:
-  explicit Box3d(int subSteps) : subSteps_(subSteps) {}
+  Box3d(int subSteps, int threads) : subSteps_(subSteps), threads_(threads) {}
   ~Box3d() override {
     if (b3World_IsValid(world_)) b3DestroyWorld(world_);
   }
@@ -35,7 +35,7 @@ class Box3d : public Engine {
     def.restitutionCallback = productOf;
     def.enableSleep = scene.sleeps;
     def.enableContinuous = true;
-    def.workerCount = 1;
+    def.workerCount = static_cast<std::uint32_t>(threads_);
     world_ = b3CreateWorld(&def);
     for (const Body& body : scene.bodies) addBody(scene, body);
   }
@@ -114,13 +114,13 @@ class Box3d : public Engine {
     if (body.force != Vector3::Zero()) forces_.emplace_back(id, ofVector(body.force));
   }
 
-  int subSteps_;
+  int subSteps_, threads_;
   b3WorldId world_{};
   std::vector<b3BodyId> bodies_;
   std::vector<std::pair<b3BodyId, b3Vec3>> forces_;
 };
 
-EngineKind kindOf(const std::string& name, int subSteps, bool best) {
+EngineKind kindOf(const std::string& name, int subSteps, bool best, int threads = 1) {
   const b3Version version = b3GetVersion();
   const std::string number = std::to_string(version.major) + "." + std::to_string(version.minor) +
                              "." + std::to_string(version.revision);
@@ -136,13 +136,15 @@ EngineKind kindOf(const std::string& name, int subSteps, bool best) {
               "bounce (else 1 m/s), speed limit 1e5 m/s, continuous on; planes are large boxes",
           [](const Scene&) { return true; },
           [best](const Scene&) { return best; },
-          [subSteps] { return std::make_unique<Box3d>(subSteps); }};
+          [subSteps, threads] { return std::make_unique<Box3d>(subSteps, threads); },
+          threads};
 }
 
 }  // namespace
 
 std::vector<EngineKind> box3dEngines() {
-  return {kindOf("box3d", 4, true), kindOf("box3d sub1", 1, false), kindOf("box3d sub8", 8, false)};
+  return {kindOf("box3d", 4, true), kindOf("box3d sub1", 1, false), kindOf("box3d sub8", 8, false),
+          kindOf("box3d 2 threads", 4, false, 2)};
 }
 
 }  // namespace carom::scenes

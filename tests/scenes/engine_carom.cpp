@@ -5,10 +5,31 @@
 #include <memory>
 #include <vector>
 
-#include "carom/world/world.hpp"
-
 namespace carom::scenes {
 namespace {
+
+world::BodyDescription described(const Scene& scene, const Body& body) {
+  world::BodyDescription description;
+  description.kind = body.moves ? world::BodyKind::dynamic : world::BodyKind::immovable;
+  description.position = body.start.position;
+  description.orientation = body.start.orientation;
+  description.velocity = body.start.velocity;
+  description.angularVelocity = body.start.angularVelocity;
+  world::ShapeDescription shape;
+  shape.shape = body.shape;
+  // The geometric mean of the squares is the product of what the scene says.
+  shape.material = {body.friction * body.friction, body.restitution};
+  if (scene.strangers && body.moves) shape.filter.family = 1;
+  description.shapes = {shape};
+  if (body.moves) {
+    MassProperties mass;
+    mass.mass = body.mass;
+    mass.volume = 1;
+    mass.inertia = body.moments.asDiagonal();
+    description.mass = mass;
+  }
+  return description;
+}
 
 class CaromEngine : public Engine {
  public:
@@ -17,15 +38,8 @@ class CaromEngine : public Engine {
 
   void build(const Scene& scene) override {
     duration_ = scene.duration;
-    settings_.gravity = scene.gravity;
-    settings_.sleeping = settings_.sleeping && scene.sleeps;
-    settings_.restitutionRule = RestitutionRule::product;
-    world_ = std::make_unique<world::World>(settings_);
-    for (const Body& body : scene.bodies) ids_.push_back(world_->add(described(scene, body)));
-    for (std::size_t i = 0; i < ids_.size(); ++i) {
-      const Vector3& force = scene.bodies[i].force;
-      if (force != Vector3::Zero()) world_->setForce(ids_[i], force);
-    }
+    world_ = std::make_unique<world::World>(settingsFor(scene, settings_));
+    ids_ = addScene(scene, *world_);
   }
 
   void step(Real dt) override {
@@ -48,45 +62,38 @@ class CaromEngine : public Engine {
     const auto figure = [](const char* name, std::int64_t value) {
       return Figure{name, static_cast<Real>(value)};
     };
-    return {figure("bodies awake", c.bodiesAwake),     figure("bodies asleep", c.bodiesAsleep),
-            figure("bodies free", c.bodiesFree),       figure("islands awake", c.islandsAwake),
-            figure("islands still", c.islandsStill),   figure("pairs kept", c.pairsKept),
-            figure("pairs tested", c.pairsTested),     figure("pairs awake", c.pairsAwake),
-            figure("manifolds made", c.manifoldsMade), figure("axes searches", c.axesSearches),
-            figure("contact points", c.contactPoints), figure("normal rows", c.normalRows),
-            figure("friction rows", c.frictionRows),   figure("rows solved", c.rowsSolved),
-            figure("first contacts", c.firstContacts), figure("impacts", c.impacts),
-            figure("slip changes", c.slipChanges),     figure("exact rotations", c.exactRotations),
-            figure("projections", c.projections),      figure("long steps", c.macroSteps),
-            figure("sub-steps", c.subSteps),           figure("tries refused", c.triesRefused),
-            figure("tries forced", c.triesForced),     figure("long steps cut", c.macroStepsCut),
-            figure("islands direct", c.islandsDirect), figure("factorisations", c.factorisations)};
+    return {figure("bodies awake", c.bodiesAwake),
+            figure("bodies asleep", c.bodiesAsleep),
+            figure("bodies free", c.bodiesFree),
+            figure("islands awake", c.islandsAwake),
+            figure("islands still", c.islandsStill),
+            figure("pairs kept", c.pairsKept),
+            figure("pairs tested", c.pairsTested),
+            figure("pairs awake", c.pairsAwake),
+            figure("manifolds made", c.manifoldsMade),
+            figure("axes searches", c.axesSearches),
+            figure("contact points", c.contactPoints),
+            figure("normal rows", c.normalRows),
+            figure("friction rows", c.frictionRows),
+            figure("rows solved", c.rowsSolved),
+            figure("first contacts", c.firstContacts),
+            figure("impacts", c.impacts),
+            figure("slip changes", c.slipChanges),
+            figure("exact rotations", c.exactRotations),
+            figure("projections", c.projections),
+            figure("long steps", c.macroSteps),
+            figure("sub-steps", c.subSteps),
+            figure("tries refused", c.triesRefused),
+            figure("tries forced", c.triesForced),
+            figure("long steps cut", c.macroStepsCut),
+            figure("islands direct", c.islandsDirect),
+            figure("factorisations", c.factorisations),
+            figure("manifolds carried", c.manifoldsCarried),
+            figure("bodies in piles", c.pileBodies),
+            figure("islands too dear", c.islandsTooDear)};
   }
 
  private:
-  static world::BodyDescription described(const Scene& scene, const Body& body) {
-    world::BodyDescription description;
-    description.kind = body.moves ? world::BodyKind::dynamic : world::BodyKind::immovable;
-    description.position = body.start.position;
-    description.orientation = body.start.orientation;
-    description.velocity = body.start.velocity;
-    description.angularVelocity = body.start.angularVelocity;
-    world::ShapeDescription shape;
-    shape.shape = body.shape;
-    // The geometric mean of the squares is the product of what the scene says.
-    shape.material = {body.friction * body.friction, body.restitution};
-    if (scene.strangers && body.moves) shape.filter.family = 1;
-    description.shapes = {shape};
-    if (body.moves) {
-      MassProperties mass;
-      mass.mass = body.mass;
-      mass.volume = 1;
-      mass.inertia = body.moments.asDiagonal();
-      description.mass = mass;
-    }
-    return description;
-  }
-
   world::WorldSettings settings_;
   Real tolerance_;  // 0: steps as long as asked [m]
   Real duration_ = 1;
@@ -96,6 +103,24 @@ class CaromEngine : public Engine {
 
 }  // namespace
 
+world::WorldSettings settingsFor(const Scene& scene, const world::WorldSettings& settings) {
+  world::WorldSettings all = settings;
+  all.gravity = scene.gravity;
+  all.sleeping = settings.sleeping && scene.sleeps;
+  all.restitutionRule = RestitutionRule::product;
+  return all;
+}
+
+std::vector<world::BodyId> addScene(const Scene& scene, world::World& world) {
+  std::vector<world::BodyId> ids;
+  for (const Body& body : scene.bodies) ids.push_back(world.add(described(scene, body)));
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    const Vector3& force = scene.bodies[i].force;
+    if (force != Vector3::Zero()) world.setForce(ids[i], force);
+  }
+  return ids;
+}
+
 EngineKind caromWith(const std::string& name, const std::string& words,
                      const world::WorldSettings& settings, bool best, Real tolerance) {
   return {name,
@@ -103,7 +128,8 @@ EngineKind caromWith(const std::string& name, const std::string& words,
           words,
           [](const Scene&) { return true; },
           [best](const Scene&) { return best; },
-          [settings, tolerance] { return std::make_unique<CaromEngine>(settings, tolerance); }};
+          [settings, tolerance] { return std::make_unique<CaromEngine>(settings, tolerance); },
+          settings.threads};
 }
 
 std::vector<EngineKind> caromEngines() {
@@ -112,11 +138,17 @@ std::vector<EngineKind> caromEngines() {
   world::WorldSettings skipsNothing;
   skipsNothing.sleeping = skipsNothing.keepStill = false;
   skipsNothing.pairFinding = world::PairFinding::allPairs;
+  world::WorldSettings twoThreads;
+  twoThreads.threads = 2;
   return {
       caromWith("carom", "as it comes; sleeping only where the scene lets bodies sleep", {}, true),
       caromWith("carom no events", "impacts and ends of slipping are not located inside the step",
                 noEvents, false),
+      caromWith("carom 2 threads", "piles and manifolds are shared by two threads", twoThreads,
+                false),
       caromWith("carom skips nothing", "all pairs, nothing sleeps", skipsNothing),
+      caromWith("carom advance 1e-1", "steps chosen for an error of 0.1 m over the scene", {},
+                false, 1e-1),
       caromWith("carom advance 1e-3", "steps chosen for an error of 1e-3 m over the scene", {},
                 false, 1e-3),
       caromWith("carom advance 1e-6", "steps chosen for an error of 1e-6 m over the scene", {},

@@ -2,11 +2,20 @@
 // Carom with settings of one's own, as an engine of scenes.
 
 #include <string>
+#include <vector>
 
-#include "carom/world/settings.hpp"
+#include "carom/world/world.hpp"
 #include "scenes/engines.hpp"
 
 namespace carom::scenes {
+
+/// Settings with what a scene decides: gravity, and whether anything may sleep.
+/// \param scene any \param settings to begin with \return settings of a world for it
+world::WorldSettings settingsFor(const Scene& scene, const world::WorldSettings& settings = {});
+
+/// Makes the bodies of a scene. \param scene any \param world with settings for it
+/// \return their ids, in the order of the scene
+std::vector<world::BodyId> addScene(const Scene& scene, world::World& world);
 
 /// Carom with settings. The scene decides on gravity, and may forbid sleeping.
 /// \param name of the engine \param words what differs \param settings to begin with

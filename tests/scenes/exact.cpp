@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace carom::scenes {
 namespace {
@@ -67,6 +68,31 @@ long double integral(F f, long double from, long double to) {
   long double sum = f(from) + f(to);
   for (int i = 1; i < kPieces; ++i) sum += (i % 2 == 1 ? 4 : 2) * f(from + i * h);
   return sum * h / 3;
+}
+
+// How much more thrust the weight makes at the springing than any haunch can take: an arch stands if
+// that is not negative. Stones are counted from the crown, angles from the vertical.
+long double archMargin(int stones, long double thickness, int& joint) {
+  const long double inner = 1 - thickness / 2, outer = 1 + thickness / 2;
+  const long double piece = std::numbers::pi_v<long double> / stones;
+  long double weight = 0, moment = 0, most = 0;
+  for (int i = 0; i < stones / 2; ++i) {
+    const long double a = i * piece, b = a + piece;
+    const long double x[4] = {inner * std::sin(a), outer * std::sin(a), outer * std::sin(b),
+                              inner * std::sin(b)};
+    const long double y[4] = {inner * std::cos(a), outer * std::cos(a), outer * std::cos(b),
+                              inner * std::cos(b)};
+    for (int k = 0; k < 4; ++k) {
+      const int next = (k + 1) % 4;
+      const long double part = (x[next] * y[k] - x[k] * y[next]) / 2;
+      weight += part;
+      moment += part * (x[k] + x[next]) / 3;
+    }
+    if (i + 1 == stones / 2) break;
+    const long double thrust = (weight * x[3] - moment) / (outer - y[3]);
+    if (thrust > most) most = thrust, joint = i + 1;
+  }
+  return (weight * outer - moment) / outer - most;
 }
 
 long double tippingEnergy(const Tipping& box, long double angle) {
@@ -138,6 +164,35 @@ RockingAnswer rockingAnswer(const Rocking& block, Real part) {
   const long double next = alpha - std::acos(std::cos(alpha) + after * after / (2 * p2));
   return {static_cast<Real>(alpha), static_cast<Real>(time), static_cast<Real>(before),
           static_cast<Real>(after), static_cast<Real>(next)};
+}
+
+ArchAnswer archAnswer(int stones) {
+  long double low = 0.01L, high = 0.5L;
+  int joint = 0;
+  for (int i = 0; i < 80; ++i) {
+    const long double middle = (low + high) / 2;
+    (archMargin(stones, middle, joint) >= 0 ? high : low) = middle;
+  }
+  archMargin(stones, high, joint);
+  return {static_cast<Real>(high), joint};
+}
+
+Real cardFriction(Real angle) {
+  return std::tan(angle) / 2;
+}
+
+std::vector<std::array<Real, 2>> pyramidLoads(int rows) {
+  std::vector<std::array<Real, 2>> forces{{0.5, 0.5}};
+  for (int row = 1; row < rows; ++row) {
+    // Its own weight, and on the left half what the upper left box has on its right one.
+    std::vector<std::array<Real, 2>> below(forces.size() + 1, {0.5, 0.5});
+    for (std::size_t i = 0; i < forces.size(); ++i) {
+      below[i][1] += forces[i][0];
+      below[i + 1][0] += forces[i][1];
+    }
+    forces = below;
+  }
+  return forces;
 }
 
 }  // namespace carom::scenes

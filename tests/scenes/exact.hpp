@@ -3,7 +3,7 @@
 //
 // Closed forms that the library has already (a bouncing ball, a sliding block, a rolling ball, a
 // free rotor) are taken from there; here are the others: balls that are hit one after the other,
-// without steps, and bodies that turn about an edge, by quadrature.
+// without steps, bodies that turn about an edge, by quadrature, and stones that stand, by statics.
 // All in long double: 64 bits of mantissa, so that what they lose is below what a double can say.
 
 #include <array>
@@ -71,5 +71,26 @@ struct RockingAnswer {
 
 /// \param block its measures \param part of alpha at which it is released \return what it does
 RockingAnswer rockingAnswer(const Rocking& block, Real part = 0.5);
+
+/// What statics says of half a circle of stones without mortar that do not slide.
+struct ArchAnswer {
+  Real thickness = 0;  ///< the least that stands, over the radius [1]
+  int joint = 0;       ///< of the haunch's hinge, counted from the crown
+};
+
+/// The thinnest arch of equal wedges that stands: the line of thrust goes through the outer edge of
+/// the crown and of the springings, and must not leave the stones at the haunches (Milankovitch
+/// 1907; Heyman 1966). \param stones even, at least 4 \return its thickness
+ArchAnswer archAnswer(int stones);
+
+/// The least friction with which two leaning cards stand: a horizontal force at the top holds each
+/// of them, which the floor has to return. \param angle from the vertical [rad] \return [1]
+Real cardFriction(Real angle);
+
+/// What carries a pyramid whose boxes touch in the middle of where they overlap: a box rests on its
+/// two quarter points and is loaded over them, so every load goes straight down.
+/// \param rows at least 1 \return forces under the left and the right half of each box of the lowest
+/// row, in weights of a box
+std::vector<std::array<Real, 2>> pyramidLoads(int rows);
 
 }  // namespace carom::scenes

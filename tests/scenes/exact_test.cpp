@@ -203,3 +203,31 @@ TEST_CASE("sliding, rolling and bouncing end where their energy says") {
   CHECK((kept(start) - kept(end)).norm() < 1e-13);
   CHECK(carom::slipOf(end, {.radius = 1, .friction = 0.2}).norm() < 1e-13);
 }
+
+TEST_CASE("the arches of case S6 are as thin as the case book says, and hinge at the same joint") {
+  const auto S6 = readCase("scenes", "S6");
+  for (const auto& row : S6["rows"]) {
+    const scenes::ArchAnswer answer = scenes::archAnswer(row["stones"].get<int>());
+    CHECK_THAT(answer.thickness, WithinRel(number(row["thickness"]), 1e-15));
+    CHECK(answer.joint == row["joint"].get<int>());
+  }
+}
+
+TEST_CASE("the card house of case S5 needs the friction of the case book") {
+  CHECK_THAT(scenes::cardFriction(0.35),
+             WithinRel(number(readCase("scenes", "S5")["critical_friction"]), 1e-15));
+}
+
+TEST_CASE("the pyramid of case S11 hands its weight down as the case book says") {
+  const auto S11 = readCase("scenes", "S11");
+  const auto forces = scenes::pyramidLoads(5);
+  REQUIRE(forces.size() == S11["lowest"].size());
+  Real sum = 0;
+  for (std::size_t i = 0; i < forces.size(); ++i) {
+    for (std::size_t half = 0; half < 2; ++half) {
+      CHECK(forces[i][half] == number(S11["lowest"][i][half]));
+      sum += forces[i][half];
+    }
+  }
+  CHECK(sum == number(S11["ground"]));
+}

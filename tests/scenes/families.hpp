@@ -43,6 +43,9 @@ Scene rockingScene();
 /// I19: a square hits the floor with a corner and sticks.
 Scene cornerScene();
 
+/// N10: a spinning top precesses on its tip (top.cpp).
+Scene topScene();
+
 // --- Balls (balls.cpp)
 
 /// I5: touching balls in a row, the first `moving` of which come in.
@@ -57,6 +60,8 @@ Scene gasScene();
 Scene bouncing49Scene();
 /// S3: 216 balls fall on a floor. \param elastic e = 1 (energy) or e = 0 (penetration)
 Scene balls216Scene(const std::string& name, bool elastic);
+/// I13: a ball hits another off the line of their centres.
+Scene obliqueScene();
 /// D: 666 balls fall on a floor.
 Scene drop666Scene();
 /// E and E2: 666 elastic balls, in a room or free.
@@ -78,6 +83,27 @@ Scene bulletScene(const std::string& name, Real speed);
 Scene fieldScene(const std::string& name, bool asleep);
 /// L: 1000 polyhedra fall into a bin.
 Scene hullPileScene();
+/// P: three of the scenes that Box3D measures itself with (its shared/benchmarks.c), rebuilt from
+/// their numbers: one wall of cubes with a base of 100.
+Scene largePyramidScene();
+/// P: 196 walls of cubes with a base of 10.
+Scene manyPyramidsScene();
+/// P: 5120 alike polyhedra fall into a heap; the corners are drawn by our own generator.
+Scene convexPileScene();
+
+// --- What stands, or just does not (stacks.cpp)
+
+/// S1: ten cubes of a kilogram on each other for a thousand seconds.
+Scene restingStackScene();
+/// S4: a cube on one of a kilogram. \param ratio of the masses
+Scene heavyOnLightScene(const std::string& name, Real ratio);
+/// S5: two cards lean against each other. \param above the least friction on the floor by this
+Scene cardHouseScene(const std::string& name, Real above);
+/// S6: half a circle of stones. \param stones even \param part of the least thickness that stands
+/// \param friction of two stones, and of a stone and the ground
+Scene archScene(const std::string& name, int stones, Real part, Real friction);
+/// S11: fifteen cubes in five rows that touch each other.
+Scene smallPyramidScene();
 
 // --- For growth and skipping (fields.cpp)
 

@@ -6,6 +6,7 @@
 
 #include "carom/impulse/bouncing_ball.hpp"
 #include "scenes/families.hpp"
+#include "scenes/law.hpp"
 #include "scenes/overlaps.hpp"
 #include "scenes/run_scene.hpp"
 #include "support/cases.hpp"
@@ -19,14 +20,10 @@ using carom_test::WithinAbs;
 using carom_test::WithinRel;
 using scenes_states = std::vector<carom::scenes::State>;
 namespace scenes = carom::scenes;
+using carom::scenes::figuresOf;
+using carom::scenes::runLaw;
 
 namespace {
-
-std::map<std::string, Real> figuresOf(const scenes::Judge& judge) {
-  std::map<std::string, Real> all;
-  for (const scenes::Figure& figure : judge.figures()) all[figure.name] = figure.value;
-  return all;
-}
 
 // What a scene's judge says of two looks: the start, and an end.
 std::map<std::string, Real> judged(const scenes::Scene& scene, const scenes_states& end) {
@@ -41,33 +38,6 @@ scenes::Scene sceneNamed(const std::string& name) {
     if (entry.name == name) return entry.make();
   }
   throw std::runtime_error("no scene " + name);
-}
-
-// An engine whose bodies follow a law: what a perfect engine, or one with a known error, would do.
-class Law : public scenes::Engine {
- public:
-  using Motion = std::function<scenes::State(int, Real)>;
-  explicit Law(Motion motion) : motion_(std::move(motion)) {}
-  void build(const scenes::Scene&) override {}
-  void step(Real dt) override {
-    time_ += dt;
-  }
-  scenes::State state(int body) const override {
-    return motion_(body, time_);
-  }
-
- private:
-  Motion motion_;
-  Real time_ = 0;
-};
-
-std::map<std::string, Real> runLaw(const scenes::Scene& scene, Real dt, const Law::Motion& motion) {
-  const scenes::EngineKind kind{"law", "", "",
-                                {},    {}, [motion] { return std::make_unique<Law>(motion); }};
-  std::map<std::string, Real> all;
-  const scenes::Run run = scenes::runScene(kind, scene, dt);
-  for (const scenes::Figure& figure : run.figures) all[figure.name] = figure.value;
-  return all;
 }
 
 }  // namespace

@@ -193,6 +193,72 @@ Scene hullPileScene() {
   return scene;
 }
 
+namespace {
+
+// What Box3D gives to every shape that says nothing else.
+const Real kItsFriction = std::sqrt(0.6);
+
+Scene itsScene(const std::string& name, const std::string& title, Real reach, int steps) {
+  Scene scene;
+  scene.name = name, scene.title = title;
+  scene.bodies = {planeBody(Vector3::UnitZ(), Vector3::Zero())};
+  scene.bodies[0].friction = kItsFriction;
+  scene.reach = reach;
+  scene.duration = steps / 60.0, scene.lookEvery = scene.duration;
+  return scene;
+}
+
+// Unit cubes of 100 kg in the shape of a triangle, edge to edge; the lowest one is at `first`.
+void addTriangle(Scene& scene, int base, const Vector3& first) {
+  Body cube = boxBody(Vector3::Constant(0.5), 100);
+  cube.friction = kItsFriction, cube.restitution = 0;
+  for (int row = 0; row < base; ++row) {
+    for (int i = 0; i < base - row; ++i) {
+      cube.start.position = first + Vector3(i + 0.5 * row, 0, row);
+      scene.bodies.push_back(cube);
+    }
+  }
+}
+
+}  // namespace
+
+Scene largePyramidScene() {
+  Scene scene = itsScene("P_large_pyramid", "5050 cubes in the shape of a triangle", 400, 200);
+  addTriangle(scene, 100, {-49.5, 0, 0.5});
+  scene.tall = true;
+  scene.judge = [](const Scene& s) { return std::make_unique<StandJudge>(s); };
+  return scene;
+}
+
+Scene manyPyramidsScene() {
+  constexpr int kBase = 10, kSide = 14;
+  constexpr Real kHalf = 0.5 * kSide * (kBase + 1);  // of the ground's edge [m]
+  Scene scene = itsScene("P_many_pyramids", "196 triangles of 55 cubes", kHalf, 100);
+  for (int i = 0; i < kSide; ++i) {
+    const Real y = -kHalf + 1 + i * 2 * (kHalf - 1) / (kSide - 1);
+    for (int j = 0; j < kSide; ++j) addTriangle(scene, kBase, {-kHalf + 11.0 * j + 1, y, 0.5});
+  }
+  scene.judge = [](const Scene& s) { return std::make_unique<StandJudge>(s); };
+  return scene;
+}
+
+Scene convexPileScene() {
+  constexpr Real kRadius = 2;  // of the ball on which the corners lie [m]
+  Scene scene = itsScene("P_convex_pile", "80 layers of 64 polyhedra of 32 corners", 250, 500);
+  Random random(42);
+  std::vector<Vector3> corners;
+  for (int i = 0; i < 32; ++i) corners.push_back(kRadius * random.direction());
+  Body hull = hullBody(corners, kDensity);
+  hull.friction = kItsFriction, hull.restitution = 0;
+  for (int i = 0; i < 80 * 64; ++i) {
+    hull.start.position =
+        2 * kRadius * Vector3(i % 8 - 4, i / 8 % 8 - 4, i / 64) + Vector3(0, 0, kRadius);
+    scene.bodies.push_back(hull);
+  }
+  scene.judge = depthJudge;
+  return scene;
+}
+
 std::vector<SceneEntry> allScenes() {
   std::vector<SceneEntry> all;
   const auto add = [&all](const std::string& name, auto make) {
@@ -214,6 +280,7 @@ std::vector<SceneEntry> allScenes() {
         [base](const auto& n) { return pyramidScene(n, base); });
   }
   add("I_1000on1", [](const auto& n) { return massRatioScene(n, {1, 1000}); });
+  add("I_10000on1", [](const auto& n) { return massRatioScene(n, {1, 10000}); });
   add("I_alternating", [](const auto& n) { return massRatioScene(n, {1, 100, 1, 100, 1, 100}); });
   for (const int speed : {50, 200, 350, 400, 600, 1000, 3000}) {
     add("J_bullet" + std::to_string(speed),
@@ -222,19 +289,35 @@ std::vector<SceneEntry> allScenes() {
   add("K_awake", [](const auto& n) { return fieldScene(n, false); });
   add("K_asleep", [](const auto& n) { return fieldScene(n, true); });
   add("L_hulls", [](const auto&) { return hullPileScene(); });
+  add("P_large_pyramid", [](const auto&) { return largePyramidScene(); });
+  add("P_many_pyramids", [](const auto&) { return manyPyramidsScene(); });
+  add("P_convex_pile", [](const auto&) { return convexPileScene(); });
   add("M_slide_1e5", [](const auto& n) { return slideScene(n, 1e5); });
   add("M_slide_1e6", [](const auto& n) { return slideScene(n, 1e6); });
   add("M_stack10_1e6", [](const auto& n) { return stackScene(n, 10, 1e6); });
+  add("S1_stack", [](const auto&) { return restingStackScene(); });
   add("S2_bouncing", [](const auto&) { return bouncing49Scene(); });
   add("S3_elastic", [](const auto& n) { return balls216Scene(n, true); });
   add("S3_inelastic", [](const auto& n) { return balls216Scene(n, false); });
+  add("S4_10on1", [](const auto& n) { return heavyOnLightScene(n, 10); });
+  add("S4_1000on1", [](const auto& n) { return heavyOnLightScene(n, 1000); });
+  add("S4_1000000on1", [](const auto& n) { return heavyOnLightScene(n, 1e6); });
+  add("S5_stands", [](const auto& n) { return cardHouseScene(n, 1e-6); });
+  add("S5_slides", [](const auto& n) { return cardHouseScene(n, -1e-3); });
+  add("S6_stands", [](const auto& n) { return archScene(n, 12, 1.02, 0.7); });
+  add("S6_falls", [](const auto& n) { return archScene(n, 12, 0.98, 0.7); });
+  add("S6_rough", [](const auto& n) { return archScene(n, 12, 1.02, 4); });
   add("S7_domino", [](const auto&) { return dominoScene(); });
   add("S8_gas", [](const auto&) { return gasScene(); });
   add("S9_ratio3", [](const auto& n) { return twoBallsScene(n, 3); });
   add("S9_ratio1000", [](const auto& n) { return twoBallsScene(n, 1000); });
   add("S10_rocking", [](const auto&) { return rockingScene(); });
+  add("S11_pyramid", [](const auto&) { return smallPyramidScene(); });
   add("I5_cradle1", [](const auto& n) { return cradleScene(n, 1); });
   add("I5_cradle2", [](const auto& n) { return cradleScene(n, 2); });
+  add("N10_top", [](const auto&) { return topScene(); });
+  add("I13_oblique", [](const auto&) { return obliqueScene(); });
+  add("I8_at", [](const auto& n) { return inclineScene(n, 0); });
   add("I8_below", [](const auto& n) { return inclineScene(n, -1e-6); });
   add("I8_above", [](const auto& n) { return inclineScene(n, 1e-6); });
   add("I8_steep", [](const auto& n) { return inclineScene(n, 1e-2); });

@@ -18,8 +18,9 @@ Real secondsOf(clockid_t clock) {
   return static_cast<Real>(now.tv_sec) + 1e-9 * static_cast<Real>(now.tv_nsec);
 }
 
-Real processorSeconds() {
-  return secondsOf(CLOCK_PROCESS_CPUTIME_ID);
+// Threads that work at the same time share the time of a watch; that of processors adds up.
+Real secondsFor(const EngineKind& kind) {
+  return secondsOf(kind.threads > 1 ? CLOCK_MONOTONIC : CLOCK_PROCESS_CPUTIME_ID);
 }
 
 void readStates(const Engine& engine, std::vector<State>& states) {
@@ -60,6 +61,41 @@ Real medianOf(std::vector<Real> values) {
   return *middle;
 }
 
+// Goes through the whole scene, with nobody but a reader.
+void goThrough(Engine& engine, const Division& division, Real dt, std::vector<State>& states) {
+  for (long done = 0; done < division.steps;) {
+    const long now = std::min(division.block, division.steps - done);
+    for (long i = 0; i < now; ++i) engine.step(dt);
+    readStates(engine, states);
+    done += now;
+  }
+}
+
+// Whole runs in batches that a clock can read: the median of the batches [s per run].
+// The first batch warms caches and memory, and does not count.
+Real secondsInBatches(const EngineKind& kind, const Scene& scene, Real dt,
+                      const RunOptions& options, Real once, Run& run) {
+  constexpr long kMostWorlds = 64;  // of a batch: they are all in memory
+  constexpr int kRepeats = 20;      // for each that was asked for: they take next to nothing
+  const Division division = divide(scene, dt);
+  const long worlds = std::clamp(static_cast<long>(options.batch / once), 1L, kMostWorlds);
+  std::vector<State> states = startOf(scene);
+  std::vector<Real> batches;
+  for (int repeat = 0; repeat <= kRepeats * options.repeats; ++repeat) {
+    std::vector<std::unique_ptr<Engine>> engines;
+    for (long i = 0; i < worlds; ++i) {
+      engines.push_back(kind.make());
+      engines.back()->build(scene);
+    }
+    const Real before = secondsOf(CLOCK_MONOTONIC);
+    for (const auto& engine : engines) goThrough(*engine, division, dt, states);
+    const Real took = secondsOf(CLOCK_MONOTONIC) - before;
+    if (repeat > 0) batches.push_back(took / static_cast<Real>(worlds));
+    run.repeats = run.repeats && hashOf(scene, states) == run.hash;
+  }
+  return medianOf(batches);
+}
+
 }  // namespace
 
 Run runScene(const EngineKind& kind, const Scene& scene, Real dt, const RunOptions& options) {
@@ -74,13 +110,15 @@ Run runScene(const EngineKind& kind, const Scene& scene, Real dt, const RunOptio
   judge->see(0, states);
   std::vector<Real> blocks;
   long looks = 0;
+  Real onWall = 0;
   for (long done = 0; done < division.steps;) {
     long now = std::min(division.block, division.steps - done);
     if (done < division.untimed) now = std::min(now, division.untimed - done);
     const long asked = options.allocations ? options.allocations() : 0;
-    const Real before = processorSeconds();
+    const Real before = secondsFor(kind), beforeOnWall = secondsOf(CLOCK_MONOTONIC);
     for (long i = 0; i < now; ++i) engine->step(dt);
-    const Real took = processorSeconds() - before;
+    const Real took = secondsFor(kind) - before;
+    onWall += secondsOf(CLOCK_MONOTONIC) - beforeOnWall;
     if (done >= division.untimed) {
       if (options.allocations) run.allocations += options.allocations() - asked;
       blocks.push_back(took / static_cast<Real>(now));
@@ -107,9 +145,16 @@ Run runScene(const EngineKind& kind, const Scene& scene, Real dt, const RunOptio
   run.hash = hashOf(scene, states);
   if (options.bytes) run.bytes = options.bytes() - bytesBefore;
   if (!run.finite || repeats == 0 || run.seconds > kLongEnough) return run;
+  const bool inBatches = options.batch > 0;
+  if (inBatches && division.untimed == 0 && onWall < options.batch) {
+    run.seconds = secondsInBatches(kind, scene, dt, options, onWall, run);
+    run.medianStep = run.seconds / static_cast<Real>(run.steps);
+    return run;
+  }
 
   const long timed = division.steps - division.untimed;
-  const long block = std::max(1L, timed / kBlocks);
+  const long pieces = inBatches ? std::lround(onWall / options.batch) : kBlocks;
+  const long block = std::max(1L, timed / pieces);
   std::vector<std::vector<Real>> times;  // of each block, in each repeat
   for (int repeat = 0; repeat < repeats; ++repeat) {
     const std::unique_ptr<Engine> again = kind.make();
@@ -119,7 +164,10 @@ Run runScene(const EngineKind& kind, const Scene& scene, Real dt, const RunOptio
     for (long done = 0; done < timed; done += block) {
       const long now = std::min(block, timed - done);
       const Real before = secondsOf(CLOCK_MONOTONIC);
-      for (long i = 0; i < now; ++i) again->step(dt);
+      for (long i = 0; i < now; ++i) {
+        again->step(dt);
+        if (inBatches && (done + i + 1) % division.block == 0) readStates(*again, states);
+      }
       if (number == times.size()) times.emplace_back();
       times[number++].push_back(secondsOf(CLOCK_MONOTONIC) - before);
     }

@@ -5,8 +5,8 @@
 // does is not counted. Its clock may tick as coarsely as 10 ms; where the whole run takes less than
 // a second, the scene is run again without a judge, as often as asked. Of each hundredth of the run
 // the median of those runs counts, by the clock on the wall: so what other programs take of a run
-// drops out. The final state must be the same to the last bit, so time and error belong to the same
-// motion.
+// drops out. Runs of a few steps are timed in batches: their worlds are made beforehand. The final state must be the same to the last bit, so
+// time and error belong to the same motion.
 
 #include "scenes/scene.hpp"
 
@@ -31,6 +31,9 @@ struct Run {
 struct RunOptions {
   int repeats =
       0;  ///< runs without a judge, if one takes less than a second; 0: time the judged one
+  /// If positive, repeats are timed in pieces of about this length instead of hundredths, and the
+  /// states are read where the judge would look; runs that are shorter are timed many at once [s].
+  Real batch = 0;
   std::function<long()> allocations;  ///< how often memory was asked for so far; may be empty
   std::function<Real()> bytes;        ///< how much memory is taken now; may be empty
 };

@@ -9,6 +9,7 @@
 #include "carom/mass/box_inertia.hpp"
 #include "carom/mass/mass_properties.hpp"
 #include "carom/mass/principal_axes.hpp"
+#include "carom/rotation/matrix_to_quaternion.hpp"
 #include "carom/rotation/quaternion_to_matrix.hpp"
 
 namespace carom::scenes {
@@ -57,7 +58,7 @@ Body planeBody(const Vector3& normal, const Vector3& point) {
   return body;
 }
 
-Body hullBody(std::span<const Vector3> points, Real density) {
+Body placedHull(std::span<const Vector3> points, Real density) {
   const MassProperties raw = massPropertiesOfGoodMesh(meshOf(hullOfPoints(points)), density);
   const PrincipalAxes principal = principalAxes(raw.inertia);
   std::vector<Vector3> moved;
@@ -65,6 +66,14 @@ Body hullBody(std::span<const Vector3> points, Real density) {
   Body body{.shape = hullOfPoints(moved)};
   body.mass = raw.mass;
   body.moments = principal.moments;
+  body.start.position = raw.center;
+  body.start.orientation = matrixToQuaternion(principal.axes);
+  return body;
+}
+
+Body hullBody(std::span<const Vector3> points, Real density) {
+  Body body = placedHull(points, density);
+  body.start = State();
   return body;
 }
 

@@ -107,6 +107,7 @@ struct EngineKind {
   std::function<bool(const Scene&)> can;   ///< whether it can simulate a scene at all
   std::function<bool(const Scene&)> best;  ///< whether these are its best settings for the scene
   std::function<std::unique_ptr<Engine>()> make;  ///< makes one
+  int threads = 1;  ///< who work; with more than one the time of a run is that of a watch
 };
 
 /// The mean density of water, for bodies whose mass does not matter [kg/m^3].
@@ -125,6 +126,10 @@ Body planeBody(const Vector3& normal, const Vector3& point);
 /// turned so that its centre of mass is the origin. \param points at least 4 [m]
 /// \param density [kg/m^3] \return body at the origin, at rest
 Body hullBody(std::span<const Vector3> points, Real density);
+
+/// The same, where its points are: it starts with the pose that puts every corner at its point.
+/// \param points at least 4 [m, world] \param density [kg/m^3] \return body there, at rest
+Body placedHull(std::span<const Vector3> points, Real density);
 
 /// The six walls of a closed room. \param low its lowest corner \param high its highest corner [m]
 std::vector<Body> room(const Vector3& low, const Vector3& high);

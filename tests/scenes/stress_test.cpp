@@ -1,0 +1,40 @@
+// The benchmark `stress` in short: is the world sound in scenes that are hard on it?
+
+#include "scenes/stress.hpp"
+
+#include <string>
+
+#include "support/catch.hpp"
+
+namespace stress = carom::stress;
+
+TEST_CASE("random scenes keep their numbers, their walls and their energy") {
+  constexpr std::uint64_t kScenes = 600;
+  int faults = 0, plain = 0;
+  for (std::uint64_t seed = 1; seed <= kScenes; ++seed) {
+    const stress::Outcome outcome = stress::runRandomScene(seed);
+    if (outcome.failure.empty()) continue;
+    UNSCOPED_INFO("seed " << seed << ": " << outcome.failure);
+    ++faults;
+    plain += outcome.isPlain ? 1 : 0;
+  }
+  // A few scenes in a thousand go wrong, and are to become none: on a sheet, which holds nobody
+  // whose middle was pressed behind it, or with an idea of the step switched off. Measured: two of
+  // these, eight of two thousand; with all ideas and without a sheet none, one of two thousand.
+  CHECK(faults <= 4);
+  CHECK(plain <= 1);
+}
+
+TEST_CASE("hours, ratios, slivers, sizes, distance and overlap, each in short") {
+  constexpr double kShare = 0.01;
+  for (const stress::Trial& trial : stress::trials()) {
+    INFO(trial.name << ": " << trial.asks);
+    CHECK(trial.run(kShare).failure == "");
+  }
+}
+
+TEST_CASE("what must be refused is refused by name, and the world goes on as if nothing had been") {
+  const stress::Outcome outcome = stress::refuseAll();
+  CHECK(outcome.failure == "");
+  CHECK(outcome.tally.refused > 200);
+}
