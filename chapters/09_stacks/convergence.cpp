@@ -2,7 +2,8 @@
 //
 // A column of boxes that cannot turn, cold: each step begins from nothing. How much of its load has
 // the ground felt after so many sweeps? The error shrinks by the same factor in each; that is
-// measured and set beside cos^2(pi / 2n). Then the same sweeps from above, and begun warm.
+// measured and set beside cos^2(pi / 2n). Then the same sweeps from above, and begun warm; and three
+// other ways.
 
 #include <algorithm>
 #include <cmath>
@@ -18,6 +19,7 @@
 #include "carom/solver/warm_start.hpp"
 #include "carom_io/plot.hpp"
 #include "carom_io/table.hpp"
+#include "many_ways.hpp"
 #include "sweep_factors.hpp"
 
 using carom::BoxColumn;
@@ -95,7 +97,34 @@ int main(int argc, char** argv) {
   begun.row({"cold, from below", sweepsFor(pulled(10), 1e-6)});
   begun.row({"cold, from above", sweepsFor(fromAbove, 1e-6)});
   begun.row({"warm", sweepsFor(warm, 1e-6)});
-  std::cout << begun;
+  std::cout << begun << '\n';
+
+  // Forty boxes, and a heavy one on a light one, in four ways.
+  constexpr Real kSlow = 1e-6;
+  const std::vector<carom::WayResult> tower = carom::manyWays(pulled(40), kSlow);
+  BoxColumn unlike = carom::boxColumn(std::vector<Real>{1, 1000});
+  carom::pullDown(unlike.bodies, -1);
+  const std::vector<carom::WayResult> pair = carom::manyWays(unlike, kSlow);
+  carom::io::Table ways;
+  ways.column("until at rest").column("40 boxes").column("felt", carom::io::fixed(3));
+  ways.column("1000 on 1").column("felt", carom::io::fixed(3));
+  carom::io::Plot speeds("Forty boxes in four ways");
+  speeds.describe("The speed of the fastest box over passes, on a logarithmic axis.");
+  speeds.xAxis("passes").yAxis("speed / fall", carom::io::Scale::Logarithmic);
+  speeds.yRange(1e-7, 2).xRange(0, 150).size(760, 440);
+  for (std::size_t i = 0; i < tower.size(); ++i) {
+    ways.row({tower[i].name, tower[i].passes, tower[i].ground / 40, pair[i].passes,
+              pair[i].ground / 1001});
+    History history;
+    const std::size_t known = tower[i].speeds.size();
+    for (std::size_t n = 0; n < std::min<std::size_t>(known, 151); ++n) {
+      history.sweeps.push_back(Real(n + 1 < known ? n : std::min(tower[i].passes, 150)));
+      history.errors.push_back(std::max(tower[i].speeds[n], kSmallest));
+    }
+    speeds.curve(tower[i].name, history.sweeps, history.errors);
+  }
+  std::cout << ways;
+  speeds.writeSvg(folder / "ways.svg");
 
   carom::io::Plot plot("The error of a tower, sweep by sweep");
   plot.describe(

@@ -2,9 +2,11 @@
 //
 // Rows of 5, 4, 3, 2 and 1 boxes of 1 kg, each on two below, in the world. Each box of the lowest row
 // stands on the ground; the force there is compared with statics, in which every contact between
-// two boxes is in the middle of where they overlap, and each box gives half of its load to each side.
+// two boxes is in the middle of where they overlap: a quarter point of both, so loads go straight
+// down.
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <iostream>
@@ -21,6 +23,8 @@ using carom::world::BodyId;
 
 constexpr int kRows = 5;
 constexpr Real kStep = 1.0 / 60;
+
+using Halves = std::array<Real, 2>;  // what is under the left and the right half of a box
 
 struct Box {
   int row = 0, place = 0;
@@ -62,15 +66,16 @@ int main(int argc, char** argv) {
   }
 
   //! [statics]
-  // From the top: a box hands half of its load to both of those below.
-  std::vector<Real> loads = {1};
+  // From the top: what is on half a box goes on below that half, with
+  // half of its own weight.
+  std::vector<Halves> halves = {{0.5, 0.5}};
   for (int row = kRows - 2; row >= 0; --row) {
-    std::vector<Real> below(loads.size() + 1, 1);  // its own weight
-    for (std::size_t i = 0; i < loads.size(); ++i) {
-      below[i] += loads[i] / 2;
-      below[i + 1] += loads[i] / 2;
+    std::vector<Halves> below(halves.size() + 1, {0.5, 0.5});
+    for (std::size_t i = 0; i < halves.size(); ++i) {
+      below[i][1] += halves[i][0];
+      below[i + 1][0] += halves[i][1];
     }
-    loads = below;
+    halves = below;
   }
   //! [statics]
   carom::io::Table table;
@@ -85,7 +90,8 @@ int main(int argc, char** argv) {
       if (stands && (pair.bodyA == box.id || pair.bodyB == box.id)) force += pair.normalForce;
     }
     sum += force;
-    table.row({box.place + 1, 9.81 * loads[static_cast<std::size_t>(box.place)], force});
+    const auto [left, right] = halves[static_cast<std::size_t>(box.place)];
+    table.row({box.place + 1, 9.81 * (left + right), force});
   }
   table.row({"all together", 9.81 * 15, sum});
   std::cout << "Who carries what after ten seconds\n\n" << table;
