@@ -261,7 +261,7 @@ ${more}")
       COMMENT "Precompiling what answers include" COMMAND_EXPAND_LISTS VERBATIM)
     add_custom_target(${target} DEPENDS ${header}.gch)
     set(flags ${code} ${flags} ${compile_limits} -include ${header} -Wall -Wextra -Wno-ignored-attributes
-        -Wno-unused-parameter -fdiagnostics-color=never)
+        -Wno-psabi -Wno-unused-parameter -fdiagnostics-color=never)
     set_property(GLOBAL PROPERTY ${target} ${flags})
   endfunction()
   carom_course_header(carom_course_pch course.hpp "" "")
