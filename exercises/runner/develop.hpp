@@ -30,8 +30,9 @@ std::vector<std::string> syncExercises(const Project& project,
                                        const std::vector<const Exercise*>& which, bool force);
 
 /// Proves everything that an exercise promises; see docs/teachers.md for the list.
+/// `quick`: the skeleton, the solution and one wrong version, through the pipe, and the texts.
 /// Returns {"exercises": [...], "problems": [...]}.
 nlohmann::json checkAll(const Project& project, const std::vector<const Exercise*>& which,
-                        bool progress);
+                        bool progress, bool quick);
 
 }  // namespace carom::runner
