@@ -8,6 +8,7 @@
 
 #include "carom/core/random.hpp"
 #include "scenes/stress.hpp"
+#include "support/random_shapes.hpp"
 #include "unit/world/scene_parts.hpp"
 
 namespace carom::stress {
@@ -172,31 +173,13 @@ Outcome elasticBalls(Real share) {
   return course.outcome;
 }
 
-// A bowl z = r^2 / 8 of triangles.
-TriangleMesh bowl(Real half, int cells) {
-  TriangleMesh mesh;
-  for (int i = 0; i <= cells; ++i) {
-    for (int j = 0; j <= cells; ++j) {
-      const Real x = half * (2.0 * i / cells - 1), y = half * (2.0 * j / cells - 1);
-      mesh.vertices.push_back({x, y, (x * x + y * y) / 8});
-    }
-  }
-  for (int i = 0; i < cells; ++i) {
-    for (int j = 0; j < cells; ++j) {
-      const int a = (cells + 1) * i + j, b = a + cells + 1;
-      mesh.triangles.push_back({a, b, b + 1});
-      mesh.triangles.push_back({a, b + 1, a + 1});
-    }
-  }
-  return mesh;
-}
-
 Outcome rollingInABowl(Real share) {
   World world(restless());
   BodyDescription ground;
   ground.kind = BodyKind::immovable;
   ground.shapes = {made(Ball{}, 0.7, 0)};
-  ground.shapes[0].ground = std::make_shared<TriangleMesh>(bowl(4, 16));
+  ground.shapes[0].ground = std::make_shared<TriangleMesh>(
+      sheetOf(4, 16, [](Real x, Real y) { return (x * x + y * y) / 8; }));
   world.add(ground);
   const BodyId ball = addBall(
       world, 0.3, {.mass = 2, .position = {2, 0.1, 0.9}, .velocity = {0, 1.5, 0}, .friction = 0.7});

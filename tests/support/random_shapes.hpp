@@ -42,24 +42,29 @@ inline carom::Shape randomShape(Random& random, Real size) {
       {{carom::Ball{b / 2}, left}, {carom::Box{{a / 2, b / 2, a / 4}}, right}});
 }
 
-// A square sheet of little hills. size: half of its edge; hills: height of the highest.
-inline carom::TriangleMesh randomSheet(Random& random, Real size, Real hills) {
-  constexpr int kSide = 4;
+// A square sheet of cells x cells x 2 triangles over [-half, half]^2. height: of (x, y).
+template <class Height>
+carom::TriangleMesh sheetOf(Real half, int cells, const Height& height) {
   carom::TriangleMesh mesh;
-  for (int i = 0; i < kSide; ++i) {
-    for (int j = 0; j < kSide; ++j) {
-      const Real z = random.between(-hills, hills);
-      mesh.vertices.push_back({size * (2.0 * i / 3 - 1), size * (2.0 * j / 3 - 1), z});
+  for (int i = 0; i <= cells; ++i) {
+    for (int j = 0; j <= cells; ++j) {
+      const Real x = half * (2.0 * i / cells - 1), y = half * (2.0 * j / cells - 1);
+      mesh.vertices.push_back({x, y, height(x, y)});
     }
   }
-  for (int i = 0; i < kSide - 1; ++i) {
-    for (int j = 0; j < kSide - 1; ++j) {
-      const int a = kSide * i + j;
-      mesh.triangles.push_back({a, a + kSide, a + kSide + 1});
-      mesh.triangles.push_back({a, a + kSide + 1, a + 1});
+  for (int i = 0; i < cells; ++i) {
+    for (int j = 0; j < cells; ++j) {
+      const int a = (cells + 1) * i + j, b = a + cells + 1;
+      mesh.triangles.push_back({a, b, b + 1});
+      mesh.triangles.push_back({a, b + 1, a + 1});
     }
   }
   return mesh;
+}
+
+// A square sheet of little hills. size: half of its edge; hills: height of the highest.
+inline carom::TriangleMesh randomSheet(Random& random, Real size, Real hills) {
+  return sheetOf(size, 3, [&](Real, Real) { return random.between(-hills, hills); });
 }
 
 }  // namespace carom_test

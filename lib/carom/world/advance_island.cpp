@@ -287,11 +287,9 @@ bool mayBePile(const WorldState& state, const IslandSlot& island) {
   if (island.bodies.size() < kFewBodies) return false;
   const bool rubs = std::any_of(island.pairs.begin(), island.pairs.end(),
                                 [&](Index pair) { return state.pairs[at(pair)].friction > 0; });
-  const auto isRound = [&](Index shape) {
-    return state.shapes[at(shape)].data->isBall || state.shapes[at(shape)].data->isHalfSpace;
-  };
-  const bool isOfBalls = std::all_of(island.pairs.begin(), island.pairs.end(), [&](Index pair) {
-    return isRound(state.pairs[at(pair)].shapeA) && isRound(state.pairs[at(pair)].shapeB);
+  const bool isOfBalls = std::all_of(island.pairs.begin(), island.pairs.end(), [&](Index index) {
+    const PairSlot& pair = state.pairs[at(index)];
+    return isRound(state.shapes[at(pair.shapeA)]) && isRound(state.shapes[at(pair.shapeB)]);
   });
   if (!rubs || !isOfBalls || bounces(state, island)) return false;
   if (closedPoints(state, island) > state.settings.eventContacts) return true;

@@ -59,8 +59,7 @@ void describeBody(WorldState& state, std::size_t i, Real dt, int shortSteps) {
   Velocity gain;
   if (isDynamic(body)) {
     gain.linear = dt * freeAcceleration(state, body);
-    if (!body.turnsEvenly && state.settings.gyroscopic &&
-        body.velocity.angular != Vector3::Zero()) {
+    if (nutates(state, body)) {
       gain.angular = turnedRate(body, dt) - body.velocity.angular;
     }
     if (body.torque != Vector3::Zero()) {

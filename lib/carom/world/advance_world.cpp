@@ -160,6 +160,12 @@ constexpr std::array<Real, kMostTries> weightsOf(int count) {
   return weights;
 }
 
+constexpr std::array<std::array<Real, kMostTries>, kMostTries> kWeights = [] {
+  std::array<std::array<Real, kMostTries>, kMostTries> all = {};
+  for (int count = 1; count <= kMostTries; ++count) all[at(count - 1)] = weightsOf(count);
+  return all;
+}();
+
 // Steps that the first `count` tries take together.
 constexpr Real costOf(int count) {
   return count * (count + 1) / 2;
@@ -168,7 +174,7 @@ constexpr Real costOf(int count) {
 // What the first `count` tries tend to for steps of no length, seen from the last of them.
 Difference tendency(const std::vector<SavedBody>& ends, std::size_t bodies, std::size_t body,
                     int count) {
-  const std::array<Real, kMostTries> weights = weightsOf(count);
+  const std::array<Real, kMostTries>& weights = kWeights[at(count - 1)];
   const SavedBody& last = ends[at(count - 1) * bodies + body];
   Difference sum;
   for (int k = 0; k + 1 < count; ++k)

@@ -223,12 +223,6 @@ void addPatch(WorldState& state, const PhaseTask& task, Index index) {
   }
 }
 
-// Whether a body's own turning changes its rate.
-bool nutates(const WorldState& state, const BodySlot& body) {
-  return isDynamic(body) && !body.turnsEvenly && state.settings.gyroscopic &&
-         body.velocity.angular != Vector3::Zero();
-}
-
 // External forces, and what a body's own turning does to its rate. If the end is known the solver
 // has the inertia of there.
 void accelerate(WorldState& state, Real duration, bool endKnown = false) {
@@ -260,18 +254,20 @@ Real scaleOf(const WorldState& state, Real duration) {
   return std::max(speed, std::numeric_limits<Real>::min());
 }
 
-// What the contacts do for the bodies if these move by the mean of their velocities [J].
-Real workOf(const WorldState& state) {
-  const Workspace& work = state.work;
+// All bodies as they were at the start.
+void goBack(WorldState& state) {
+  for (std::size_t i = 0; i < state.work.members.size(); ++i) {
+    state.work.moving[i].velocity = state.bodies[at(state.work.members[i])].velocity;
+  }
+}
+
+// The sum over all rows of their impulses times the speed that `speed` gives for (row, block).
+template <typename Speed>
+Real sumOverRows(const Workspace& work, const Speed& speed) {
   Real sum = 0;
-  const auto before = [&](int local) {
-    return MovingBody{{}, state.bodies[at(work.members[at(local)])].velocity};
-  };
   for (const ContactBlock& block : work.blocks) {
-    const MovingBody a = before(block.bodyA), b = before(block.bodyB);
-    const MovingBody &c = work.moving[at(block.bodyA)], &d = work.moving[at(block.bodyB)];
     const auto add = [&](const PushRow& row, Real impulse) {
-      sum += impulse * (speedAtEnd(row, a, b) + speedAtEnd(row, c, d)) / 2;
+      if (impulse != 0) sum += impulse * speed(row, block);
     };
     for (int i = 0; i < block.count; ++i) add(block.normals[at(i)], block.impulses[at(i)]);
     for (int k = 0; k < block.rubs; ++k) add(block.tangents[at(k)], block.rub[k]);
@@ -279,18 +275,24 @@ Real workOf(const WorldState& state) {
   return sum;
 }
 
+// What the contacts do for the bodies if these move by the mean of their velocities [J].
+Real workOf(const WorldState& state) {
+  const Workspace& work = state.work;
+  const auto before = [&](int local) {
+    return MovingBody{{}, state.bodies[at(work.members[at(local)])].velocity};
+  };
+  return sumOverRows(work, [&](const PushRow& row, const ContactBlock& block) {
+    return (speedAtEnd(row, before(block.bodyA), before(block.bodyB)) +
+            speedAtEnd(row, work.moving[at(block.bodyA)], work.moving[at(block.bodyB)])) /
+           2;
+  });
+}
+
 // What the impulses of all contacts do for bodies that move as they do now [J].
 Real pushOf(const Workspace& work) {
-  Real sum = 0;
-  for (const ContactBlock& block : work.blocks) {
-    const MovingBody &a = work.moving[at(block.bodyA)], &b = work.moving[at(block.bodyB)];
-    const auto add = [&](const PushRow& row, Real impulse) {
-      if (impulse != 0) sum += impulse * speedAtEnd(row, a, b);
-    };
-    for (int i = 0; i < block.count; ++i) add(block.normals[at(i)], block.impulses[at(i)]);
-    for (int k = 0; k < block.rubs; ++k) add(block.tangents[at(k)], block.rub[k]);
-  }
-  return sum;
+  return sumOverRows(work, [&](const PushRow& row, const ContactBlock& block) {
+    return speedAtEnd(row, work.moving[at(block.bodyA)], work.moving[at(block.bodyB)]);
+  });
 }
 
 // Blocks of all patches, of the bodies as they move at the start; then what acts on these, and the
@@ -310,9 +312,7 @@ void prepareBlocks(WorldState& state, Real duration, bool endKnown = false) {
     block.impulses = {};
     block.rub = Vector3::Zero();
   }
-  for (std::size_t i = 0; i < work.members.size(); ++i) {
-    work.moving[i].velocity = state.bodies[at(work.members[i])].velocity;
-  }
+  goBack(state);
   accelerate(state, duration, endKnown);
 }
 
@@ -420,9 +420,7 @@ bool solvePhase(WorldState& state, const PhaseTask& task) {
   constexpr int kRounds = 3;
   const bool alone = task.bodies.size() == 1 && !task.speculative;
   for (int round = 0; round < kRounds && alone && settled && takeCentres(state); ++round) {
-    for (std::size_t i = 0; i < work.members.size(); ++i) {
-      work.moving[i].velocity = state.bodies[at(work.members[i])].velocity;
-    }
+    goBack(state);
     prepareBlocks(state, duration);
     settled = solveBlocks(state, scale);
   }

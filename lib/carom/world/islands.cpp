@@ -141,8 +141,8 @@ void split(WorldState& state, Index index) {
   // All leave; who still is held by a pair finds the others of its label again.
   work.set = state.islands[at(index)].bodies;
   work.setPairs = state.islands[at(index)].pairs;
-  const IslandSlot whole{.pileFor = state.islands[at(index)].pileFor,
-                         .isPile = state.islands[at(index)].isPile};
+  const int pileFor = state.islands[at(index)].pileFor;
+  const bool isPile = state.islands[at(index)].isPile;
   endIsland(state, index);
   for (const Index body : work.set) state.bodies[at(body)].island = kNone;
   for (std::size_t i = 0; i < work.setPairs.size(); ++i) {
@@ -150,8 +150,8 @@ void split(WorldState& state, Index index) {
     const Index body = isDynamic(state.bodies[at(pair.bodyA)]) ? pair.bodyA : pair.bodyB;
     const Index label = work.labels[at(state.bodies[at(body)].local)];
     const Index island = islandOf(state, work.set[at(label)]);
-    state.islands[at(island)].pileFor = whole.pileFor;
-    state.islands[at(island)].isPile = whole.isPile;
+    state.islands[at(island)].pileFor = pileFor;
+    state.islands[at(island)].isPile = isPile;
     addPair(state, island, work.setPairs[i]);
   }
   for (std::size_t i = 0; i < count; ++i) {

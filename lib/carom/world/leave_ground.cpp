@@ -106,10 +106,9 @@ enum class Touch { none, holds, strikes };
 Touch touchAt(WorldState& state, const PairSlot& pair, const Pose& pose, Real time) {
   const ShapeSlot &a = state.shapes[at(pair.shapeA)], &b = state.shapes[at(pair.shapeB)];
   const BodyState then = bodyAt(state, pair.bodyB, time);
-  const Pose body = poseOf(then.orientation, then.position);
   const Real gap = touchGap(state, pair);
   const Manifold manifold = collideGround(*a.data->ground, a.item, pose, b.data->convex,
-                                          b.centred ? body : composed(body, b.pose), gap);
+                                          placed(poseOf(then.orientation, then.position), b), gap);
   Touch touch = Touch::none;
   for (int i = 0; i < manifold.count; ++i) {
     const ManifoldPoint& point = manifold.points[at(i)];
@@ -213,9 +212,8 @@ Real nextGroundContact(WorldState& state, Index index, Real time, Real end, Real
   }
   const auto soon = [&](Real later) { return later < end - time ? time + later : kNever; };
   if (ground.isFace(a.item)) {
-    const Pose placed = poseOf(now.orientation, now.position);
     const Real height = heightOverFace(ground, a.item, pose, b.data->convex,
-                                       b.centred ? placed : composed(placed, b.pose));
+                                       placed(poseOf(now.orientation, now.position), b));
     // Too far in front, or so far behind that it cannot come in front of the plane before.
     if (height > way || height < -way - gap) return kNever;
     // On its plane, here or beside it: what of the body is over the face is followed.

@@ -11,14 +11,6 @@ namespace carom::world {
 
 namespace {
 
-bool turns(const BodySlot& body) {
-  return body.velocity.angular != Vector3::Zero();
-}
-
-bool needsRotor(const WorldState& state, const BodySlot& body) {
-  return !body.turnsEvenly && state.settings.gyroscopic && isDynamic(body) && turns(body);
-}
-
 // The closed form, from the anchor that the body has or gets now.
 RotorAnchor& anchorOf(WorldState& state, BodySlot& body) {
   if (!body.anchor) {
@@ -30,7 +22,7 @@ RotorAnchor& anchorOf(WorldState& state, BodySlot& body) {
 
 // Orientation and angular velocity of a body that turns by itself.
 void turnFreely(WorldState& state, BodySlot& body, Real duration, BodyState& after) {
-  if (!needsRotor(state, body)) {
+  if (!nutates(state, body)) {
     const Vector3 kick = duration * (body.mass.inverseInertia * body.torque);
     const Vector3 mean = body.velocity.angular + kick / 2;
     after.velocity.angular = body.velocity.angular + kick;
@@ -79,15 +71,15 @@ Matrix3 inverseInertiaOf(const BodySlot& body, const Matrix3& R_WB) {
   return (inverse + inverse.transpose()) / 2;
 }
 
-namespace {
+bool nutates(const WorldState& state, const BodySlot& body) {
+  return !body.turnsEvenly && state.settings.gyroscopic && isDynamic(body) &&
+         body.velocity.angular != Vector3::Zero();
+}
 
-// Twice the energy with which a body turns.
 Real turningEnergy(const BodySlot& body, const Matrix3& R_WB, const Vector3& rate) {
   const Vector3 w = R_WB.transpose() * rate;
   return w.dot(body.moments.cwiseProduct(w));
 }
-
-}  // namespace
 
 void keepTurningEnergy(BodySlot& body, const Matrix3& R_WB) {
   Vector3& w = body.velocity.angular;

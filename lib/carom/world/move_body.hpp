@@ -18,6 +18,15 @@ namespace carom::world {
 /// closely [rad]. \ingroup world
 inline constexpr Real kFastTurn = 0.25;
 
+/// Whether a body's own turning changes its rate. \param state of the world \param body any
+/// \return false if it turns evenly, or not, or gyroscopic terms are off \ingroup world
+bool nutates(const WorldState& state, const BodySlot& body);
+
+/// Twice the energy with which a body turns. \param body whose moments
+/// \param R_WB world from its inner frame \param rate angular velocity [rad/s, world]
+/// \return [J] \ingroup world
+Real turningEnergy(const BodySlot& body, const Matrix3& R_WB, const Vector3& rate);
+
 /// A body has been turned, and its angular velocity has been left: takes of that what would give it
 /// more energy than it had. \param body whose \param R_WB where it was [world from inner frame]
 /// \ingroup world

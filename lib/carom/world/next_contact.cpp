@@ -60,7 +60,7 @@ Real nextOfPoints(const WorldState& state, const PairSlot& pair) {
 Sweep sweepOf(const BodySlot& body, const BodyState& now, const ShapeSlot& shape) {
   Sweep sweep;
   const Pose pose = poseOf(now.orientation, now.position);
-  sweep.start = shape.centred ? pose : composed(pose, shape.pose);
+  sweep.start = placed(pose, shape);
   sweep.velocity = now.velocity.linear;
   sweep.angularVelocity = now.velocity.angular;
   if (!body.asleep) sweep.acceleration = body.acceleration;
@@ -131,12 +131,15 @@ Real nextContact(WorldState& state, Index index, Real time, Real end) {
     const Real followed = pair.madeAt == time ? nextOfPoints(state, pair) : kNever;
     return nextGroundContact(state, index, time, end, followed);
   }
+  const auto nextOfTouch = [&] {
+    const Real after = nextOfPoints(state, pair);
+    return nextOfTurned(state, pair, time, after < duration ? time + after : end, end);
+  };
   if (pair.madeAt == time) {
     bool closed = false;
     for (int i = 0; i < pair.manifold.count; ++i) closed = closed || isClosed(state, pair, i);
     if (closed) {
-      const Real after = nextOfPoints(state, pair);
-      return nextOfTurned(state, pair, time, after < duration ? time + after : end, end);
+      return nextOfTouch();
     }
   }
   const ShapeSlot &a = state.shapes[at(pair.shapeA)], &b = state.shapes[at(pair.shapeB)];
@@ -167,8 +170,7 @@ Real nextContact(WorldState& state, Index index, Real time, Real end) {
   if (pair.madeAt == time && time + hit.time == time) {
     // The search finds a touch where the manifold has a little gap, which counts: it is what is
     // acted on. A touch that nobody acts on is found again and again.
-    const Real after = nextOfPoints(state, pair);
-    return nextOfTurned(state, pair, time, after < duration ? time + after : end, end);
+    return nextOfTouch();
   }
   return time + hit.time;
 }

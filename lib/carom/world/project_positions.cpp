@@ -133,13 +133,11 @@ bool projectPositions(WorldState& state, std::span<const Index> bodies,
 
 void projectRounds(WorldState& state, std::span<const Index> bodies, std::span<const Index> pairs,
                    Real end) {
-  const auto isRound = [&](Index shape) {
-    return state.shapes[at(shape)].data->isBall || state.shapes[at(shape)].data->isHalfSpace;
-  };
   bool carries = false;
   for (const Index index : pairs) {
     const PairSlot& pair = state.pairs[at(index)];
-    if (!isRound(pair.shapeA) || !isRound(pair.shapeB)) return;
+    const ShapeSlot &a = state.shapes[at(pair.shapeA)], &b = state.shapes[at(pair.shapeB)];
+    if (!isRound(a) || !isRound(b)) return;
     carries = carries || (pair.force[0] > 0 && isDynamic(state.bodies[at(pair.bodyA)]));
   }
   if (!carries) return;

@@ -114,7 +114,7 @@ void solveNow(WorldState& state, Real scale) {
 }
 
 // Whether pressure cannot turn a body: it is a ball about its middle.
-bool isRound(const WorldState& state, const BodySlot& body) {
+bool isOneBall(const WorldState& state, const BodySlot& body) {
   if (body.shapes.size() != 1) return false;
   return isCentredBall(state.shapes[at(body.shapes[0])]);
 }
@@ -134,7 +134,7 @@ void takeVelocities(WorldState& state, std::span<const Index> bodies,
   for (const Index index : bodies) {
     BodySlot& body = state.bodies[at(index)];
     Velocity after = state.work.moving[at(body.local)].velocity;
-    if (isRubbed[at(body.local)] == 0 && isRound(state, body)) {
+    if (isRubbed[at(body.local)] == 0 && isOneBall(state, body)) {
       after.angular = body.velocity.angular;
     }
     if (after.angular != body.velocity.angular) dropAnchor(state, body);
@@ -188,8 +188,8 @@ Real motionOf(const WorldState& state, bool after) {
     const BodySlot& body = state.bodies[at(work.members[i])];
     const Velocity& v = after ? work.moving[i].velocity : body.velocity;
     if (!isDynamic(body)) continue;
-    const Vector3 w = body.pose.R_WB.transpose() * v.angular;
-    sum += body.weight * (v.linear - frame).squaredNorm() + w.dot(body.moments.cwiseProduct(w));
+    sum += body.weight * (v.linear - frame).squaredNorm() +
+           turningEnergy(body, body.pose.R_WB, v.angular);
   }
   return sum;
 }

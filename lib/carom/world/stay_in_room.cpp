@@ -31,8 +31,7 @@ bool isInside(WorldState& state, Index index, Real time) {
   const Pose pose = poseOf(then.orientation, then.position);
   for (const Index number : state.bodies[at(index)].shapes) {
     const ShapeSlot& shape = state.shapes[at(number)];
-    const Pose placed = shape.centred ? pose : composed(pose, shape.pose);
-    if (!holds(shape.swept, boundsOfShape(shape, placed))) return false;
+    if (!holds(shape.swept, boundsOfShape(shape, placed(pose, shape)))) return false;
   }
   return true;
 }

@@ -280,10 +280,9 @@ Real World::energy() const {
   Real sum = 0;
   for (const BodySlot& body : state_->bodies) {
     if (!body.alive || !isDynamic(body)) continue;
-    const Vector3 w = body.pose.R_WB.transpose() * body.velocity.angular;
     sum += body.weight * (body.velocity.linear.squaredNorm() / 2 -
                           state_->settings.gravity.dot(body.position)) +
-           w.dot(body.moments.cwiseProduct(w)) / 2;
+           world::turningEnergy(body, body.pose.R_WB, body.velocity.angular) / 2;
   }
   return sum;
 }

@@ -161,8 +161,8 @@ struct IslandSlot {
   bool still = false;     ///< its last step changed nothing, so neither will the next
   Real subStep = 0;       ///< what its error asks for while the world advances; 0: not known [s]
   Index awakeAt = kNone;  ///< its place in the list of those awake
-  std::vector<Index> bodies = {};  ///< dynamic ones, ascending
-  std::vector<Index> pairs = {};   ///< pairs that hold it together, and those with immovable bodies
+  std::vector<Index> bodies;  ///< dynamic ones, ascending
+  std::vector<Index> pairs;   ///< pairs that hold it together, and those with immovable bodies
 };
 
 /// A patch that is being solved, and whose it is. \ingroup world
@@ -287,7 +287,7 @@ struct WorldState {
 
 /// The number of points, bodies and so on as an index of an array. \param i any number
 /// \return the same \ingroup world
-inline std::size_t at(Index i) {
+constexpr std::size_t at(Index i) {
   return static_cast<std::size_t>(i);
 }
 
@@ -302,10 +302,22 @@ inline bool isCentredBall(const ShapeSlot& shape) {
   return shape.centred && shape.data->isBall;
 }
 
+/// Whether a shape touches others in one point, or a half-space does. \param shape any
+/// \return true for a ball and for a half-space \ingroup world
+inline bool isRound(const ShapeSlot& shape) {
+  return shape.data->isBall || shape.data->isHalfSpace;
+}
+
+/// Where a shape is if its body is somewhere. \param body world from body
+/// \param shape one of its shapes \return world from shape \ingroup world
+inline Pose placed(const Pose& body, const ShapeSlot& shape) {
+  return shape.centred ? body : composed(body, shape.pose);
+}
+
 /// Where a shape of a body is. \param body whose \param shape one of its shapes
 /// \return world from shape \ingroup world
 inline Pose poseOfShape(const BodySlot& body, const ShapeSlot& shape) {
-  return shape.centred ? body.pose : composed(body.pose, shape.pose);
+  return placed(body.pose, shape);
 }
 
 /// Lets queries find a shape where it is now. \param state of the world \param shape its number
