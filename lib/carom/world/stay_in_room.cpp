@@ -7,14 +7,17 @@ namespace carom::world {
 
 namespace {
 
-// Whether the shape may meet something on its way that cannot be moved and is no pair of it: the
-// contacts of pairs have been looked for, also where they are far.
+// Whether the shape may meet something on its way that cannot be moved and whose contact nobody has
+// looked for: they are no pair, or one whose boxes have not met in this step. The broad phase keeps
+// such pairs, and no island has them.
 bool meetsStranger(const WorldState& state, Index index, const Aabb<3>& way) {
   const ShapeSlot& shape = state.shapes[at(index)];
   const PairCache& pairs = state.broadPhase.pairs();
   bool found = false;
   const auto look = [&](std::int32_t other) {
-    found = found || (mayMeet(state, index, other) && pairs.find(index, other) == kNone);
+    if (found || !mayMeet(state, index, other)) return;
+    const Index pair = pairs.find(index, other);
+    found = pair == kNone || state.pairs[at(pair)].island == kNone;
   };
   if (holds(shape.swept, way)) return false;
   state.broadPhase.immovableTree().overlap(way, look);

@@ -56,6 +56,21 @@ TEST_CASE("a light ball that is thrown farther than anybody looked does not pass
   }
 }
 
+TEST_CASE("a ball that has left the floor and is thrown back at it does not pass the floor") {
+  World world(weightless());
+  addPlane(world, 0, 0);
+  // Some steps after it has left, the tree still keeps both as a pair; but nobody looks at it.
+  const BodyId light =
+      addBall(world, 0.05,
+              {.mass = 0.01, .position = {0, 0, 0.051}, .velocity = {0, 0, 1}, .restitution = 1});
+  addBall(world, 0.25,
+          {.mass = 10, .position = {0, 0, 3.6}, .velocity = {0, 0, -30}, .restitution = 1});
+  for (int step = 0; step < 12; ++step) {
+    world.step(kStep);
+    CHECK(world.position(light).z() > 0.049);
+  }
+}
+
 TEST_CASE("a box that turns by radians in a step gains nothing from walls, without events either") {
   WorldSettings settings = weightless();
   settings.locateEvents = false;
