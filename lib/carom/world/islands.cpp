@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "carom/core/variant.hpp"
 #include "carom/world/find_islands.hpp"
 #include "carom/world/may_sleep.hpp"
 #include "carom/world/wake.hpp"
@@ -253,6 +254,19 @@ void watchAnew(BodySlot& body) {
   body.restStart = body.pose;
 }
 
+// The plain function says who wakes. It goes through all contacts for each link of a chain, and an
+// island that is in order wakes as a whole: nobody else needs to ask.
+void askWhoWakes(WorldState& state, const IslandSlot& island) {
+  describe(state, island);
+  Workspace& work = state.work;
+  work.asleep.assign(work.flags.size(), 1);
+  for (std::size_t i = 0; i < island.bodies.size(); ++i) {
+    if (work.asleep[i] != 0) {
+      wake(static_cast<Index>(i), work.links, work.flags, work.asleep);
+    }
+  }
+}
+
 }  // namespace
 
 void wakeIsland(WorldState& state, Index island) {
@@ -263,14 +277,7 @@ void wakeIsland(WorldState& state, Index island) {
   slot.still = false;
   slot.awakeAt = static_cast<Index>(state.awakeIslands.size());
   state.awakeIslands.push_back(island);
-  // The plain function says who wakes; an island that is in order wakes as a whole.
-  describe(state, slot);
-  Workspace& work = state.work;
-  std::vector<std::uint8_t>& asleep = work.asleep;
-  asleep.assign(work.flags.size(), 1);
-  for (std::size_t i = 0; i < slot.bodies.size(); ++i) {
-    if (asleep[i] != 0) wake(static_cast<Index>(i), work.links, work.flags, asleep);
-  }
+  if (takesPlainPath()) askWhoWakes(state, slot);
   for (std::size_t i = 0; i < slot.bodies.size(); ++i) {
     BodySlot& body = state.bodies[at(slot.bodies[i])];
     body.asleep = false;
