@@ -29,6 +29,8 @@ void BroadPhase::reserve(std::int32_t bodies, std::int32_t pairs) {
   if (bodies <= 0) return;
   bodies_.reserve(bodies);
   moving_.reserve(bodies);
+  lively_.reserve(bodies);
+  livelyBodies_.reserve(bodies);
   immovable_.reserve(bodies);
   pairs_.reserve(bodies, pairs);
   moved_.reserve(bodies);
@@ -75,7 +77,10 @@ void BroadPhase::add(std::int32_t body, const Aabb<3>& box, Mobility mobility,
   requireItem(body);
   requireBox(box);
   if (contains(body)) reject("body", std::to_string(body), "must not be in the broad phase yet");
-  if (static_cast<std::size_t>(body) >= bodies_.size()) bodies_.resize(body + 1);
+  if (static_cast<std::size_t>(body) >= bodies_.size()) {
+    bodies_.resize(body + 1);
+    moved_.reserve(bodies_.capacity());
+  }
   Body& added = bodies_[body];
   added.isIn = added.isNew = true;
   added.isImmovable = mobility == Mobility::immovable;
@@ -96,7 +101,8 @@ void BroadPhase::remove(std::int32_t body) {
     removed_.push_back({pairOf(body, other), slot});
     pairs_.remove(slot);
   });
-  if (!bodies_[body].isNew) (bodies_[body].isImmovable ? immovable_ : moving_).remove(body);
+  if (!bodies_[body].isNew) treeOf(bodies_[body]).remove(body);
+  if (bodies_[body].livelyAt != kNone) noLongerLively(body);
   if (!bodies_[body].isImmovable) {
     --movingSize_;
     familySize_ -= bodies_[body].family == family_ ? 1 : 0;
@@ -132,6 +138,8 @@ constexpr std::int64_t kMostBig = 16;     // bodies that each would be compared 
 constexpr std::size_t kMostScanned = 16;  // bodies that are compared with all
 constexpr std::int32_t kScans = 2;        // updates after one that searched through all
 constexpr std::int32_t kGridRest = 64;    // updates, where it had too many big ones
+constexpr std::int64_t kFewOf = 16;       // fewer than this share become lively
+constexpr std::int64_t kCalmAfter = 64;   // updates by trees within its box
 
 // Whether no two bodies that may move can be a pair.
 bool BroadPhase::areStrangers() const {
@@ -192,46 +200,48 @@ void BroadPhase::gatherAll() {
   }
 }
 
-// Gives the tree of moving bodies the boxes that it has missed.
-void BroadPhase::refreshTree() const {
+Tree<3>& BroadPhase::treeOf(const Body& body) {
+  if (body.isImmovable) return immovable_;
+  return body.livelyAt == kNone ? moving_ : lively_;
+}
+
+// Gives the trees of bodies that may move the boxes that they have missed.
+void BroadPhase::refreshTrees() const {
   isStale_ = false;
-  items_.clear();
-  boxes_.clear();
-  moving_.forEach([&](std::int32_t body) {
-    items_.push_back(body);
-    boxes_.push_back(bodies_[body].box);
-  });
-  moving_.move(items_, boxes_);
+  for (Tree<3>* tree : {&moving_, &lively_}) {
+    items_.clear();
+    boxes_.clear();
+    tree->forEach([&](std::int32_t body) {
+      items_.push_back(body);
+      boxes_.push_back(bodies_[body].box);
+    });
+    tree->move(items_, boxes_);
+  }
 }
 
 void BroadPhase::updateTrees(bool movesToo) {
   if (movesToo) {
-    if (isStale_) refreshTree();
+    if (isStale_) refreshTrees();
     ++counters_.byTrees;
-    items_.clear();
-    boxes_.clear();
+    moveInTrees();
   }
   for (const std::int32_t body : moved_) {
     Body& moved = bodies_[body];
     if (!moved.isListed) continue;
     ++counters_.left;
-    Tree<3>& tree = moved.isImmovable ? immovable_ : moving_;
     if (moved.isNew) {
       moved.isNew = false;
-      tree.insert(body, moved.box);
+      treeOf(moved).insert(body, moved.box);
     } else if (moved.isImmovable) {
-      tree.move(body, moved.box);
-    } else if (movesToo) {
-      items_.push_back(body);
-      boxes_.push_back(moved.box);
+      immovable_.move(body, moved.box);
     }
   }
   if (!movesToo) {
     isStale_ = true;
     return;
   }
-  moving_.move(items_, boxes_);
-  for (Tree<3>* tree : {&moving_, &immovable_}) {
+  calmDown();
+  for (Tree<3>* tree : {&moving_, &lively_, &immovable_}) {
     if (2 * tree->unsettled() <= tree->size() && tree->worsening() <= settings_.rebuildAt) continue;
     tree->rebuild();
     ++counters_.rebuilt;
@@ -240,13 +250,71 @@ void BroadPhase::updateTrees(bool movesToo) {
   if (kShare * static_cast<std::int64_t>(moved_.size()) >= size_) orderMoved();
 }
 
+// Those that left their boxes: many of a tree are moved in it together, few become lively.
+void BroadPhase::moveInTrees() {
+  for (const bool lively : {true, false}) {
+    items_.clear();
+    boxes_.clear();
+    for (const std::int32_t body : moved_) {
+      const Body& moved = bodies_[body];
+      if (!moved.isListed || moved.isNew || moved.isImmovable) continue;
+      if ((moved.livelyAt != kNone) != lively) continue;
+      items_.push_back(body);
+      boxes_.push_back(moved.box);
+      if (lively) livelyBodies_[moved.livelyAt].leftAt = counters_.byTrees;
+    }
+    const bool few = kFewOf * static_cast<std::int64_t>(items_.size()) <= moving_.size();
+    if (lively || !few) {
+      (lively ? lively_ : moving_).move(items_, boxes_);
+    } else {
+      for (const std::int32_t body : items_) becomeLively(body);
+    }
+  }
+}
+
+void BroadPhase::becomeLively(std::int32_t body) {
+  Body& one = bodies_[body];
+  moving_.remove(body);
+  lively_.insert(body, one.box);
+  one.livelyAt = static_cast<std::int32_t>(livelyBodies_.size());
+  livelyBodies_.push_back({body, counters_.byTrees});
+}
+
+// Takes a body out of the list of lively ones: the last one takes its place.
+void BroadPhase::noLongerLively(std::int32_t body) {
+  const std::int32_t place = bodies_[body].livelyAt;
+  bodies_[livelyBodies_.back().body].livelyAt = place;
+  livelyBodies_[place] = livelyBodies_.back();
+  livelyBodies_.pop_back();
+  bodies_[body].livelyAt = kNone;
+}
+
+// Looks at some of the lively bodies, in turn: who has not left its box for long goes back.
+void BroadPhase::calmDown() {
+  for (std::size_t left = 2 + livelyBodies_.size() / kCalmAfter; left > 0; --left) {
+    if (livelyBodies_.empty()) return;
+    if (calmNext_ >= livelyBodies_.size()) calmNext_ = 0;
+    const Lively& one = livelyBodies_[calmNext_];
+    if (counters_.byTrees - one.leftAt <= kCalmAfter) {
+      ++calmNext_;
+      continue;
+    }
+    const std::int32_t body = one.body;
+    lively_.remove(body);
+    noLongerLively(body);
+    moving_.insert(body, bodies_[body].box);
+  }
+}
+
 void BroadPhase::orderMoved() {
   const auto end = std::remove_if(moved_.begin(), moved_.end(),
                                   [&](std::int32_t body) { return !bodies_[body].isImmovable; });
   moved_.erase(end, moved_.end());
-  moving_.forEach([&](std::int32_t body) {
-    if (bodies_[body].isListed) moved_.push_back(body);
-  });
+  for (const Tree<3>* tree : {&moving_, &lively_}) {
+    tree->forEach([&](std::int32_t body) {
+      if (bodies_[body].isListed) moved_.push_back(body);
+    });
+  }
 }
 
 void BroadPhase::sortEvents() {

@@ -10,8 +10,12 @@
 // 500 bodies, by a grid above, unless more than 16 bodies are too big for its cells. The trees then
 // wait until they are asked for; a few bodies that leave their boxes right after that are compared
 // with all. The same pairs come out, whichever way.
+// Those that left their boxes lately, by ones and twos, are in a tree of their own, and go back to
+// the large one when they have been still for a while: ten that move beside a crowd that rests
+// change a tree of ten.
 // Why only those that left: in a pile at rest nobody does, and the update costs nothing.
-// Source: the moved list and the fat boxes of Box2D (Catto, 2009; GDC 2019).
+// Source: the moved list and the fat boxes of Box2D (Catto, 2009; GDC 2019); two trees, for those
+// that moved lately and those that did not: btDbvtBroadphase of Bullet (Presson, 2008).
 // Not handled: whether the shapes touch (detection), which pairs should not (the caller's `accept`).
 
 #include <cstdint>
@@ -153,12 +157,14 @@ class BroadPhase {
     return bodies_[body].box;
   }
 
-  /// The bodies that may move, as of the last update(). Not to be called by two threads at once: it
-  /// may have to bring the tree up to date.
-  /// \return to ask for overlaps, rays and swept boxes
-  const Tree<3>& movingTree() const {
-    if (isStale_) refreshTree();
-    return moving_;
+  /// The bodies that may move and whose boxes meet one, as of the last update(). Not to be called by
+  /// two threads at once: it may have to bring the trees up to date.
+  /// \param box low not above high [m, world] \param visit called with each body, once
+  template <class Visit>
+  void overlapMoving(const Aabb<3>& box, Visit&& visit) const {
+    if (isStale_) refreshTrees();
+    moving_.overlap(box, visit);
+    lively_.overlap(box, visit);
   }
 
   /// The bodies that never move. \return as above
@@ -179,6 +185,11 @@ class BroadPhase {
     bool isListed = false;  // in moved_
     bool isNew = false;     // no tree knows it yet
     std::uint32_t family = 0;
+    std::int32_t livelyAt = kNone;  // its place in livelyBodies_, if lively_ has it
+  };
+  struct Lively {
+    std::int32_t body = kNone;
+    std::int64_t leftAt = 0;  // the last update by trees in which it had left its box
   };
   void list(std::int32_t body);
   bool hasTooMuch(const Aabb<3>& room, const Aabb<3>& box, const Vector3& way) const;
@@ -188,8 +199,13 @@ class BroadPhase {
   bool asksMoving(bool strangers) const;
   bool mayScan();
   void updateTrees(bool movesToo);
+  void moveInTrees();
+  void becomeLively(std::int32_t body);
+  void noLongerLively(std::int32_t body);
+  void calmDown();
   void orderMoved();
-  void refreshTree() const;
+  void refreshTrees() const;
+  Tree<3>& treeOf(const Body& body);
   void gatherAll();
   void sortEvents();
   template <class Found>
@@ -198,8 +214,9 @@ class BroadPhase {
   BroadPhaseSettings settings_;
   BroadPhaseCounters counters_;
   std::vector<Body> bodies_;
-  mutable Tree<3> moving_;
-  mutable bool isStale_ = false;  // moving_ does not know the boxes of all yet
+  mutable Tree<3> moving_;        // that may move, without those of the next
+  mutable Tree<3> lively_;        // of these: that left their boxes lately
+  mutable bool isStale_ = false;  // the two do not know the boxes of all yet
   Tree<3> immovable_;
   SortedSweep sweep_;
   PairGrid grid_;
@@ -211,6 +228,8 @@ class BroadPhase {
   std::int32_t gridRests_ = 0;       // updates until a grid is tried again
   std::int32_t scansLeft_ = 0;       // updates that may still do without a tree
   std::vector<std::int32_t> moved_;  // bodies that left their boxes, are new, or were touched
+  std::vector<Lively> livelyBodies_;
+  std::size_t calmNext_ = 0;                 // the one of them to look at next
   mutable std::vector<std::int32_t> items_;  // some bodies, and their boxes
   mutable std::vector<Aabb<3>> boxes_;
   std::vector<Event> begun_, ended_, removed_;
@@ -273,6 +292,7 @@ void BroadPhase::update(Accept&& accept) {
       }
       if (!strangers || bodies_[body].isImmovable) {
         counters_.visited += moving_.overlap(bodies_[body].box, met);
+        counters_.visited += lively_.overlap(bodies_[body].box, met);
       }
       if (bodies_[body].isImmovable) continue;
       counters_.visited += immovable_.overlap(bodies_[body].box, met);

@@ -120,7 +120,6 @@ void Tree<Dim>::removeLeaf(std::int32_t leaf) {
   TreeNode<Dim>* nodes = nodes_.nodes.data();
   const std::int32_t parent = nodes[leaf].parent;
   giveNode(nodes_, leaf);
-  ordered_ = false;
   if (parent == kNone) {
     nodes_.root = kNone;
     return;

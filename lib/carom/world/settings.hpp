@@ -12,7 +12,7 @@ namespace carom::world {
 
 /// How the pairs of shapes that may meet are found. \ingroup world
 enum class PairFinding {
-  tree,     ///< two trees of boxes: one for what moves, one for what never does
+  tree,     ///< trees of boxes; what never moves is in one of its own
   allPairs  ///< every shape against every other
 };
 

@@ -21,7 +21,7 @@ bool meetsStranger(const WorldState& state, Index index, const Aabb<3>& way) {
   };
   if (holds(shape.swept, way)) return false;
   state.broadPhase.immovableTree().overlap(way, look);
-  state.broadPhase.movingTree().overlap(way, [&](std::int32_t other) {
+  state.broadPhase.overlapMoving(way, [&](std::int32_t other) {
     const BodySlot& body = state.bodies[at(state.shapes[at(other)].body)];
     if (body.kind == BodyKind::kinematic) look(other);
   });

@@ -199,7 +199,7 @@ TEST_CASE("the tree of moving bodies is up to date when it is asked for") {
   phase.update();
   for (int i = 0; i < 200; ++i) {
     bool isFound = false;
-    phase.movingTree().overlap(boxes[i], [&](std::int32_t body) { isFound |= body == i; });
+    phase.overlapMoving(boxes[i], [&](std::int32_t body) { isFound |= body == i; });
     CHECK(isFound);
   }
 }
