@@ -75,6 +75,22 @@ Worst worstOf(const scenes::Scene& scene, int steps, const scenes::EngineKind& k
   return worst;
 }
 
+// All bits of a scene, twice a second for five seconds.
+std::vector<std::uint64_t> hashesOnTheWay(const scenes::Scene& scene,
+                                          const carom::world::WorldSettings& settings) {
+  const std::unique_ptr<scenes::Engine> engine = scenes::caromWith("carom", "", settings).make();
+  engine->build(scene);
+  std::vector<scenes::State> bodies = scenes::startOf(scene);
+  std::vector<std::uint64_t> hashes;
+  for (int step = 1; step <= 300; ++step) {
+    engine->step(1.0 / 60);
+    if (step % 30 != 0) continue;
+    for (std::size_t i = 0; i < bodies.size(); ++i) bodies[i] = engine->state(static_cast<int>(i));
+    hashes.push_back(scenes::hashOf(scene, bodies));
+  }
+  return hashes;
+}
+
 }  // namespace
 
 TEST_CASE("Carom keeps what it promises for scenes with an answer") {
@@ -204,6 +220,25 @@ TEST_CASE("every compiler comes to the same last bit after a second") {
     known.scene.duration = 1, known.scene.lookEvery = 1, known.scene.sleeps = false;
     INFO(known.scene.name);
     CHECK(scenes::runScene(ourKind(), known.scene, 1.0 / 60).hash == known.hash);
+  }
+}
+
+TEST_CASE("how pairs are found, and who sleeps, changes no bit of ten balls beside a crowd") {
+  for (const scenes::Quiet crowd : {scenes::Quiet::immovable, scenes::Quiet::resting}) {
+    const scenes::Scene scene = scenes::quietScene(crowd, 150);
+    INFO(scenes::nameOf(crowd));
+    const auto hashesWith = [&](carom::world::PairFinding pairs, bool sleep, bool still) {
+      carom::world::WorldSettings settings;
+      settings.pairFinding = pairs, settings.sleeping = sleep, settings.keepStill = still;
+      return hashesOnTheWay(scene, settings);
+    };
+    using enum carom::world::PairFinding;
+    const std::vector<std::uint64_t> usual = hashesWith(tree, true, true);
+    CHECK(std::adjacent_find(usual.begin(), usual.end()) == usual.end());  // they go on moving
+    CHECK(hashesWith(allPairs, true, true) == usual);
+    CHECK(hashesWith(tree, false, true) == usual);
+    CHECK(hashesWith(tree, false, false) == usual);
+    CHECK(hashesWith(allPairs, false, false) == usual);
   }
 }
 
