@@ -76,6 +76,13 @@ bool invert(BodyBlock& A) {
   return true;
 }
 
+// At least so many lists, with room for the neighbours that bodies of a pile usually have: the next
+// island has others, and would ask for memory by ones and twos for long.
+void makeLists(std::vector<std::vector<int>>& lists, std::size_t count) {
+  constexpr std::size_t kUsual = 32;
+  while (lists.size() < count) lists.emplace_back().reserve(kUsual);
+}
+
 }  // namespace
 
 void BodyMatrix::analyse(int bodies, std::span<const BodyLink> links) {
@@ -90,8 +97,8 @@ void BodyMatrix::analyse(int bodies, std::span<const BodyLink> links) {
 
 void BodyMatrix::order() {
   const std::size_t n = at(bodies_);
-  if (near_.size() < n) near_.resize(n);
-  if (later_.size() < n) later_.resize(n);
+  makeLists(near_, n);
+  makeLists(later_, n);
   for (std::size_t i = 0; i < n; ++i) near_[i].clear();
   for (const BodyLink& link : links_) {
     CAROM_EXPECT(link.first != link.second, "a link is between two different bodies");

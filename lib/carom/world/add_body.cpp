@@ -226,6 +226,51 @@ void requireUsable(const WorldState& state, const BodyDescription& description) 
   }
 }
 
+namespace {
+
+// Memory for the first few bodies as if they all met: small scenes need none later. In larger ones
+// lists grow to what the largest island yet has needed.
+void makeRoom(WorldState& state) {
+  constexpr std::size_t kMost = 32;
+  const std::size_t bodies = state.bodies.size();
+  if (bodies > kMost) return;
+  const std::size_t pairs = 2 * bodies, points = 4 * pairs;
+  Workspace& work = state.work;
+  work.moving.reserve(bodies);
+  work.members.reserve(bodies);
+  work.set.reserve(bodies);
+  work.labels.reserve(bodies + pairs);
+  work.flags.reserve(bodies + pairs);
+  work.bounced.reserve(bodies);
+  work.stopped.reserve(bodies);
+  work.bodiesBefore.reserve(bodies);
+  work.patches.reserve(pairs);
+  work.blocks.reserve(pairs);
+  work.setPairs.reserve(pairs);
+  work.toMake.reserve(pairs);
+  work.innerPairs.reserve(pairs);
+  work.sorted.reserve(pairs);
+  work.links.reserve(pairs);
+  work.pairsBefore.reserve(pairs);
+  work.contacts.reserve(points);
+  work.contactPairs.reserve(points);
+  work.contactPoints.reserve(points);
+  work.approaches.reserve(points);
+  state.pairs.reserve(pairs);
+  state.kept.reserve(pairs);
+  state.awakePairs.reserve(pairs);
+  state.islands.reserve(bodies);
+  state.freeIslands.reserve(bodies);
+  state.awakeIslands.reserve(bodies);
+  state.islandLists.reserve(bodies + pairs);
+  state.begun.reserve(pairs);
+  state.ended.reserve(pairs);
+  state.impacts.reserve(points);
+  state.broadPhase.reserve(static_cast<std::int32_t>(bodies), static_cast<std::int32_t>(pairs));
+}
+
+}  // namespace
+
 BodyId addBody(WorldState& state, const BodyDescription& description) {
   requireUsable(state, description);
   const InnerFrame frame = innerFrameOf(description);
@@ -236,7 +281,10 @@ BodyId addBody(WorldState& state, const BodyDescription& description) {
   }
 
   const Index index = placeFor(state.freeBodies, state.bodies.size());
-  if (at(index) == state.bodies.size()) state.bodies.emplace_back();
+  if (at(index) == state.bodies.size()) {
+    state.bodies.emplace_back();
+    makeRoom(state);
+  }
   BodySlot& body = state.bodies[at(index)];
   const std::uint32_t generation = body.generation + 1;
   body = BodySlot();

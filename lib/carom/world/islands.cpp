@@ -26,6 +26,9 @@ Index newIsland(WorldState& state) {
   if (state.freeIslands.empty()) {
     island = static_cast<Index>(state.islands.size());
     state.islands.emplace_back();
+    // Room to list each of them, so that an island that ends or wakes takes no memory.
+    state.freeIslands.reserve(state.islands.capacity());
+    state.awakeIslands.reserve(state.islands.capacity());
   } else {
     island = state.freeIslands.back();
     state.freeIslands.pop_back();
@@ -52,15 +55,15 @@ void unlistIsland(WorldState& state, Index island) {
 void endIsland(WorldState& state, Index island) {
   IslandSlot& slot = state.islands[at(island)];
   if (slot.awake) unlistIsland(state, island);
-  slot.bodies.clear();
-  slot.pairs.clear();
+  state.islandLists.giveBack(slot.bodies);
+  state.islandLists.giveBack(slot.pairs);
   slot.alive = false;
   state.freeIslands.push_back(island);
   --state.islandCount;
 }
 
 void addBody(WorldState& state, Index island, Index body) {
-  state.islands[at(island)].bodies.push_back(body);
+  state.islandLists.append(state.islands[at(island)].bodies, body);
   state.islands[at(island)].unsorted = true;
   state.islands[at(island)].still = false;
   state.bodies[at(body)].island = island;
@@ -70,7 +73,7 @@ void addPair(WorldState& state, Index island, Index pair) {
   PairSlot& slot = state.pairs[at(pair)];
   slot.island = island;
   slot.islandAt = static_cast<Index>(state.islands[at(island)].pairs.size());
-  state.islands[at(island)].pairs.push_back(pair);
+  state.islandLists.append(state.islands[at(island)].pairs, pair);
   state.islands[at(island)].unsorted = true;
   state.islands[at(island)].still = false;
 }

@@ -31,6 +31,10 @@ void beginPair(WorldState& state, Index index, const IndexPair& shapes) {
   if (at(index) >= state.pairs.size()) {
     state.pairs.resize(at(index) + 1);
     state.kept.resize(at(index) + 1);
+    // Room to list each of them.
+    for (std::vector<Index>* list : {&state.awakePairs, &state.work.toMake}) {
+      list->reserve(state.pairs.capacity());
+    }
   }
   state.kept[at(index)].known = false;
   PairSlot& pair = state.pairs[at(index)];

@@ -29,6 +29,7 @@
 #include "carom/world/ground.hpp"
 #include "carom/world/ids.hpp"
 #include "carom/world/kept_manifold.hpp"
+#include "carom/world/list_pool.hpp"
 #include "carom/world/pile.hpp"
 #include "carom/world/settings.hpp"
 
@@ -256,6 +257,7 @@ struct WorldState {
   std::vector<PairSlot> pairs;           ///< by slot of the broad phase
   std::vector<KeptManifold> kept;        ///< of each of these, what a pile carries along
   std::vector<IslandSlot> islands;       ///< all islands
+  ListPool islandLists;                  ///< memory for their bodies and pairs
   std::vector<RotorAnchor> anchors;      ///< of bodies that turn freely
   std::vector<Index> freeBodies;         ///< places that can be used again
   std::vector<Index> freeShapes;         ///< places that can be used again
