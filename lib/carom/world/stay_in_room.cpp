@@ -15,7 +15,9 @@ bool meetsStranger(const WorldState& state, Index index, const Aabb<3>& way) {
   const PairCache& pairs = state.broadPhase.pairs();
   bool found = false;
   const auto look = [&](std::int32_t other) {
-    if (found || !mayMeet(state, index, other)) return;
+    // Where all pairs are compared every box is everywhere.
+    if (found || !meets(state.shapes[at(other)].swept, way)) return;
+    if (!mayMeet(state, index, other)) return;
     const Index pair = pairs.find(index, other);
     found = pair == kNone || state.pairs[at(pair)].island == kNone;
   };
