@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "carom/rotation/integrate_orientation.hpp"
+#include "carom/rotation/quaternion_to_matrix.hpp"
 #include "carom/world/move_body.hpp"
 #include "carom/world/update_contacts.hpp"
 
@@ -52,6 +53,11 @@ void number(WorldState& state, const IslandSlot& island) {
   }
 }
 
+// How a body lies in the middle of a step, as far as its own turning takes it.
+Matrix3 middleOf(const BodySlot& body, Real dt) {
+  return quaternionToMatrix(integrateOrientation(body.orientation, body.velocity.angular, dt / 2));
+}
+
 // A body as the solver sees it, and what forces and its own turning add to its velocity.
 void describeBody(WorldState& state, std::size_t i, Real dt, int shortSteps) {
   Pile& pile = state.pile;
@@ -66,7 +72,12 @@ void describeBody(WorldState& state, std::size_t i, Real dt, int shortSteps) {
       gain.angular += dt * (body.mass.inverseInertia * body.torque);
     }
   }
-  pile.steps.setBody(i, {body.mass, body.velocity}, gain, shortSteps);
+  // What turns far is pushed as it lies in the middle of the step.
+  BodyMass mass = body.mass;
+  if (needsEnergyKept(body, body.velocity.angular, dt)) {
+    mass.inverseInertia = inverseInertiaOf(body, middleOf(body, dt));
+  }
+  pile.steps.setBody(i, {mass, body.velocity}, gain, shortSteps);
 }
 
 void describeContact(WorldState& state, std::size_t place, Real duration) {
@@ -174,6 +185,8 @@ void advancePile(WorldState& state, Index index, Real start, Real until) {
       BodySlot& body = state.bodies[at(island.bodies[i])];
       if (body.isFree) continue;
       const SoftMotion motion = pile.steps.body(i);
+      const bool isFast = needsEnergyKept(body, body.velocity.angular, dt);
+      const Matrix3 middle = isFast ? middleOf(body, dt) : Matrix3::Identity();
       body.position += motion.way;
       if (motion.turn != Vector3::Zero()) {
         body.orientation = integrateOrientation(body.orientation, motion.turn, 1);
@@ -182,6 +195,7 @@ void advancePile(WorldState& state, Index index, Real start, Real until) {
       body.acceleration = body.turning = Vector3::Zero();
       body.clock = until;
       refreshPose(body);
+      if (isFast) keepTurningEnergy(body, middle);
     }
   });
 }

@@ -52,17 +52,14 @@ void turnFreely(WorldState& state, BodySlot& body, Real duration, BodyState& aft
   }
 }
 
-// Whether a small error of where a body lies is a large one of its energy: it turns far in this
-// time, or is a needle, whose spin about its length is a thousandth of what the same momentum is
-// about any other axis.
+}  // namespace
+
 bool needsEnergyKept(const BodySlot& body, const Vector3& rate, Real duration) {
   if (body.turnsEvenly || !isDynamic(body) || rate == Vector3::Zero()) return false;
   constexpr Real kNeedle = 100;
   return rate.norm() * duration > kFastTurn ||
          body.moments.maxCoeff() > kNeedle * body.moments.minCoeff();
 }
-
-}  // namespace
 
 Matrix3 inverseInertiaOf(const BodySlot& body, const Matrix3& R_WB) {
   if (!isDynamic(body)) return Matrix3::Zero();
