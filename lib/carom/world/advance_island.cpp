@@ -356,6 +356,7 @@ IslandRun advanceIsland(WorldState& state, Index index, Real start, Real end) {
   const bool isWatched = mayBeStill(state, island);
   if (isWatched) remember(state, island);
   const std::size_t impacts = state.impacts.size();
+  rememberMiddles(state, island.bodies);
   if (state.settings.projectPositions) projectPositions(state, island.bodies, island.pairs);
   // What was not solved directly is hardly so in the next step.
   constexpr int kStrayFor = 8;
@@ -391,6 +392,7 @@ IslandRun advanceIsland(WorldState& state, Index index, Real start, Real end) {
   } else if (state.settings.projectPositions) {
     projectRounds(state, island.bodies, island.pairs, end);
   }
+  holdMiddles(state, island.bodies, island.pairs, {start, end}, run.byEvents);
   island.still = isWatched && state.impacts.size() == impacts && isAsRemembered(state, island);
   return run;
 }

@@ -1,5 +1,10 @@
 #include "carom/world/stay_in_room.hpp"
 
+#include <algorithm>
+
+#include "carom/core/cross.hpp"
+#include "carom/detection/signed_distance.hpp"
+#include "carom/world/collide_ground.hpp"
 #include "carom/world/move_body.hpp"
 #include "carom/world/update_contacts.hpp"
 
@@ -68,6 +73,101 @@ void stayInRoom(WorldState& state, Index index, Real end) {
   }
   moveBody(state, index, low);
   body.clock = end;
+}
+
+void rememberMiddles(WorldState& state, std::span<const Index> bodies) {
+  state.work.middles.clear();
+  for (const Index index : bodies) state.work.middles.push_back(state.bodies[at(index)].position);
+}
+
+namespace {
+
+// How far a middle has to be lifted to be in front of a wall again.
+struct Lift {
+  Vector3 normal = Vector3::Zero();  // of the wall [1]
+  Real way = 0;                      // none: it is in front [m]
+};
+
+// Through a face of a sheet, from its front. `from` is where the middle was, as the sheet goes.
+Lift liftOverFace(const WorldState& state, const PairSlot& pair, const Pose& G,
+                  const Vector3& from) {
+  const ShapeSlot& shape = state.shapes[at(pair.shapeA)];
+  const Ground& ground = *shape.data->ground;
+  const GroundFace& face = ground.faces[at(shape.item)];
+  const Vector3& to = state.bodies[at(pair.bodyB)].position;
+  const Vector3 normal = G.R_WB * face.normal;
+  const Real height = normal.dot(to - pointToWorld(G, ground.vertices[at(face.corners[0])]));
+  if (height >= 0 || normal.dot(to - from) >= 0) return {};
+  if (!castRayAtFace(ground, shape.item, G, {from, to - from, 1}).hit) return {};
+  return {normal, touchGap(state, pair) - height};
+}
+
+// Deeper into a solid than it was.
+Lift liftOutOf(const ShapeSlot& shape, const Pose& A, const Vector3& from, const Vector3& to) {
+  const auto depthAt = [&](const Vector3& middle, Vector3* normal) {
+    const Separation found =
+        signedDistance(shape.data->whole, A, Ball{0}, {Matrix3::Identity(), middle});
+    if (normal != nullptr) *normal = found.normal;
+    return std::max(Real(0), -found.separation);
+  };
+  Lift lift;
+  const Real depth = depthAt(to, &lift.normal);
+  if (depth > 0) lift.way = depth - depthAt(from, nullptr);
+  return lift;
+}
+
+// Returns whether the body of the pair had to be held.
+bool holdMiddle(WorldState& state, const PairSlot& pair, const StepSpan& span, bool followed) {
+  const ShapeSlot& shape = state.shapes[at(pair.shapeA)];
+  const bool isGround = shape.data->ground != nullptr;
+  BodySlot& body = state.bodies[at(pair.bodyB)];
+  if (isGround ? !state.shapes[at(pair.shapeA)].data->ground->isFace(shape.item) : followed)
+    return false;
+  if (isDynamic(state.bodies[at(pair.bodyA)]) || body.shapes.size() != 1) return false;
+  const BodyState then = bodyAt(state, pair.bodyA, span.start),
+                  now = bodyAt(state, pair.bodyA, span.end);
+  const Pose before = placed(poseOf(then.orientation, then.position), shape);
+  const Pose after = placed(poseOf(now.orientation, now.position), shape);
+  const Vector3 from = pointToWorld(after, pointToBody(before, state.work.middles[at(body.local)]));
+  Lift lift;
+  if (isGround) {
+    lift = liftOverFace(state, pair, after, from);
+  } else {
+    // Who goes a short way is stopped by his contacts.
+    constexpr Real kFar = 0.125;
+    if ((body.position - from).norm() <= kFar * body.reach) return false;
+    lift = liftOutOf(shape, after, from, body.position);
+    if (lift.way > 0) lift.way += touchGap(state, pair);
+  }
+  if (!(lift.way > 0)) return false;
+  body.position += lift.way * lift.normal;
+  body.pose.p_WB = body.position;
+  const Velocity& wall = now.velocity;
+  const Vector3 against = body.velocity.linear - wall.linear -
+                          cross(wall.angular, Vector3(body.position - now.position));
+  const Real speed = lift.normal.dot(against);
+  if (speed < 0) body.velocity.linear -= speed * lift.normal;
+  return true;
+}
+
+}  // namespace
+
+void holdMiddles(WorldState& state, std::span<const Index> bodies, std::span<const Index> pairs,
+                 const StepSpan& span, bool followed) {
+  // Long steps are taken back if they are wrong.
+  if (state.longSteps || !state.settings.continuous) return;
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    state.bodies[at(bodies[i])].local = static_cast<Index>(i);
+  }
+  // What is lifted out of one wall may be behind the next.
+  constexpr int kRounds = 3;
+  bool held = true;
+  for (int round = 0; round < kRounds && held; ++round) {
+    held = false;
+    for (const Index pair : pairs) {
+      held = holdMiddle(state, state.pairs[at(pair)], span, followed) || held;
+    }
+  }
 }
 
 }  // namespace carom::world

@@ -1,5 +1,5 @@
 #pragma once
-// What of a body that is thrown farther than anybody looked for what it may meet?
+// What of a body that is thrown farther than anybody looked, or pressed through a wall?
 //
 // Pairs are found at the start of a step, from how far each body goes and how far others can throw
 // it (update_contacts.hpp). Several blows in one step, or one by something far heavier, may throw a
@@ -8,17 +8,41 @@
 // Method: before a body makes its last way of the step, the trees are asked whether anything that
 // cannot be moved is on it and is no pair of the body. If so, the body stops where its box ends,
 // and loses the rest of its time: it keeps velocity and energy, and goes on in the next step.
+// A wall is also passed where contacts are not followed: by what turns by radians in a step that is
+// taken at once, and by what others press into a sheet, which holds nobody from behind. So after a
+// step the middle of each body must be on the side of the wall on which it was before: it is what a
+// ball of no size would be, which strikes there and does not bounce. That takes at least the energy
+// of the fall through the depth by which the body is lifted, and gives none.
 // Why not find pairs again: it is rare, and islands would have to be joined in the middle of a step.
 // Source: bodies that lose time at impacts: Catto, Continuous collision, GDC 2013.
-// Not handled: bodies that can be moved; what they overlap is taken away later.
+// Not handled: bodies that can be moved; what they overlap is taken away later. The middle of a
+// compound may be outside of it, where a wall may pass; compounds are not held so.
 
 #include "carom/world/world_state.hpp"
 
 namespace carom::world {
 
+/// A part of a step. \ingroup world
+struct StepSpan {
+  Real start = 0;  ///< [s]
+  Real end = 0;    ///< [s]
+};
+
 /// Moves a body to the border of its box, if it would leave it and a wall stands there, and sets its
 /// clock to the end. \param state of the world \param index of the body, its accelerations set
 /// \param end of the step [s] \ingroup world
 void stayInRoom(WorldState& state, Index index, Real end);
+
+/// Writes down where the middles of an island's bodies are. \param state of the world
+/// \param bodies of the island \ingroup world
+void rememberMiddles(WorldState& state, std::span<const Index> bodies);
+
+/// Puts bodies back whose middles have gone behind a wall since they were written down, and takes
+/// the speed from them with which they go on there. \param state of the world, the island at the end
+/// \param bodies of the island, as written down \param pairs of the island
+/// \param span from when to when [s] \param followed contacts have been followed in this step: then
+/// only sheets are looked at \ingroup world
+void holdMiddles(WorldState& state, std::span<const Index> bodies, std::span<const Index> pairs,
+                 const StepSpan& span, bool followed);
 
 }  // namespace carom::world

@@ -230,6 +230,7 @@ struct Workspace {
   std::vector<Real> approaches;          ///< speeds of these before the impact [m/s]
   ImpactMemory impactMemory;             ///< of impacts in several places at once
   SimultaneousImpacts impactRounds;      ///< what came of them
+  std::vector<Vector3> middles;          ///< of bodies at the start of their step [m, world]
   std::vector<BodyBefore> bodiesBefore;  ///< of an island that may be still
   std::vector<PairBefore> pairsBefore;   ///< of the same
   std::vector<SavedBody> tryBodies;      ///< bodies before a try

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <vector>
 
 #include "scene_parts.hpp"
@@ -135,4 +136,63 @@ TEST_CASE("bounces in several places at once gain as little on a floor that move
     }
   }
   CHECK(most < 1e-3);
+}
+
+TEST_CASE(
+    "what tumbles by radians in a step does not fall through a sheet, without events either") {
+  WorldSettings settings = awake();
+  settings.locateEvents = false;
+  TriangleMesh sheet;
+  sheet.vertices = {{-90, -90, 0}, {90, -90, 0}, {90, 90, 0}, {-90, 90, 0}};
+  sheet.triangles = {{0, 1, 2}, {0, 2, 3}};
+  const bool round = GENERATE(false, true);
+  Real least = 1, most = 0;
+  for (int k = 0; k < 100; ++k) {
+    World world(settings);
+    BodyDescription ground;
+    ground.kind = BodyKind::immovable;
+    ground.shapes = {made(Ball{}, 0.5, 0)};
+    ground.shapes[0].ground = std::make_shared<TriangleMesh>(sheet);
+    world.add(ground);
+    const Vector3 spin(std::sin(k), std::cos(2 * k), std::sin(3 * k));
+    const Thing thing{.position = {0, 0, 0.6},
+                      .velocity = {1, 0, -8},
+                      .angularVelocity = (50 + 10 * k) * spin,
+                      .friction = 0.5};
+    const BodyId body = round ? add(world, Capsule{0.02, 0.5}, 1e-3, thing)
+                              : addBox(world, {0.5, 0.1, 0.02}, thing);
+    const Real first = world.energy();
+    Real energy = first;
+    for (int step = 0; step < 60; ++step) {
+      world.step(kStep);
+      least = std::min(least, world.position(body).z());
+      most = std::max(most, (world.energy() - energy) / first);
+      energy = world.energy();
+    }
+  }
+  CHECK(least > 0);
+  CHECK(most < 1e-3);
+}
+
+TEST_CASE("a box that turns by radians in a step gains nothing from walls, by soft steps either") {
+  WorldSettings settings = weightless();
+  settings.pileContacts = 0;
+  Real most = 0;
+  for (int k = 0; k < 40; ++k) {
+    World world(settings);
+    addPlane(world, 0, 0.5);
+    addPlane(world, 0, 0.5, -Vector3::UnitZ(), {0, 0, 1.1});
+    const Vector3 axis = Vector3(std::sin(k), std::cos(k), 0.3).normalized();
+    addBox(world, {0.5, 0.1, 0.2},
+           {.position = {0, 0, 0.55},
+            .velocity = {0.5, 0, -1},
+            .angularVelocity = (6 + 1.2 * k) * axis,
+            .restitution = 0.5});
+    const Real energy = world.energy();
+    for (int step = 0; step < 30; ++step) {
+      world.step(kStep);
+      most = std::max(most, world.energy() / energy - 1);
+    }
+  }
+  CHECK(most < 1e-9);
 }
