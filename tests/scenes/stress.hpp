@@ -11,6 +11,9 @@
 // own first order: a body of speed v is up to v dt deep in a wall when that is noticed, and lifting it
 // out costs m g v dt. That is allowed once per body and step. Bodies that overlap at the start may be
 // lifted by the height of the room, and gain no speed from it.
+// Bounds on places: the middle of a body is never behind a wall. Who looks at the ends of steps only
+// may be there by the way that the fastest goes in a step, and by what of that is left at the rate at
+// which overlap is taken away.
 // Bounds on steps: nobody falls by more than an eighth of his size in the first one.
 // Not handled: whether the motion is right (that is what all other tests ask).
 

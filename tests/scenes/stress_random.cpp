@@ -7,6 +7,7 @@
 
 #include "carom/core/random.hpp"
 #include "carom/rotation/renormalize.hpp"
+#include "carom/solver/soft_steps.hpp"
 #include "carom/world/world.hpp"
 #include "scenes/stress.hpp"
 #include "support/random_shapes.hpp"
@@ -232,7 +233,7 @@ RandomScene makeScene(std::uint64_t seed) {
 class Watch {
  public:
   Watch(const RandomScene& scene, World& world, const std::vector<BodyId>& bodies)
-      : scene_(scene), world_(world), bodies_(bodies), before_(energy()) {
+      : scene_(scene), world_(world), bodies_(bodies), late_(bodies.size()), before_(energy()) {
     for (const BodyId body : bodies_) {
       const Real height = world.mass(body) * weight() * 2 * scene_.room;
       scale_ += height;
@@ -267,9 +268,11 @@ class Watch {
       const Vector3 place = centre - time_ * scene_.roomVelocity;
       const Real outside = place.cwiseAbs().maxCoeff() - scene_.room;
       const Real slow = (v - scene_.roomVelocity).norm() + fastest_;
-      // Who looks at the ends of steps only finds a wall when he is in it.
-      const Real late = scene_.settings.continuous ? 0 : slow * scene_.dt;
-      if (outside > late + hill()) {
+      // Who looks at the ends of steps only finds a wall when he is in it, and is lifted out of it
+      // at the rate of soft steps at least, though he may long have lost the speed of then.
+      const Real stays = std::max(Real(0), 1 - SoftSettings().pull * scene_.dt);
+      late_[i] = std::max(stays * late_[i], slow * scene_.dt);
+      if (outside > (scene_.settings.continuous ? 0 : late_[i]) + hill()) {
         wrong << "body " << i << " is " << outside << " m outside of the walls";
         return wrong.str();
       }
@@ -339,6 +342,7 @@ class Watch {
   const RandomScene& scene_;
   World& world_;
   const std::vector<BodyId>& bodies_;
+  std::vector<Real> late_;  // how deep each may be in a wall that he found too late [m]
   Real time_ = 0;
   Real fastest_ = 0;
   Energy before_;

@@ -10,19 +10,10 @@ namespace stress = carom::stress;
 
 TEST_CASE("random scenes keep their numbers, their walls and their energy") {
   constexpr std::uint64_t kScenes = 600;
-  int faults = 0, plain = 0;
   for (std::uint64_t seed = 1; seed <= kScenes; ++seed) {
-    const stress::Outcome outcome = stress::runRandomScene(seed);
-    if (outcome.failure.empty()) continue;
-    UNSCOPED_INFO("seed " << seed << ": " << outcome.failure);
-    ++faults;
-    plain += outcome.isPlain ? 1 : 0;
+    INFO("seed " << seed);
+    CHECK(stress::runRandomScene(seed).failure == "");
   }
-  // A few scenes in a thousand go wrong, and are to become none: on a sheet, which holds nobody
-  // whose middle was pressed behind it, or with an idea of the step switched off. Measured: two of
-  // these, eight of two thousand; with all ideas and without a sheet none, one of two thousand.
-  CHECK(faults <= 4);
-  CHECK(plain <= 1);
 }
 
 TEST_CASE("hours, ratios, slivers, sizes, distance and overlap, each in short") {
