@@ -124,8 +124,9 @@ bool projectPositions(WorldState& state, std::span<const Index> bodies,
       dropAnchor(state, body);
     }
     refreshPose(body);
-    // What is pushed out of a deep overlap turns visibly, and must not turn faster for it.
-    constexpr Real kVisible = 1e-3;
+    // What is pushed out of an overlap turns, and must not turn faster for it; what keeps a contact
+    // closed is far less.
+    constexpr Real kVisible = 1e-7;
     if (!body.turnsEvenly && way.angular.norm() > kVisible) keepTurningEnergy(body, before);
   }
   return true;
