@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "carom/manifold/collide_half_space.hpp"
 #include "scene_parts.hpp"
 #include "support/catch.hpp"
 
@@ -195,4 +196,43 @@ TEST_CASE("a box that turns by radians in a step gains nothing from walls, by so
     }
   }
   CHECK(most < 1e-9);
+}
+
+TEST_CASE("bodies without weight that are pushed out of each other gain nothing by being turned") {
+  Real most = 0;
+  for (int k = 0; k < 60; ++k) {
+    World world(weightless());
+    const Vector3 spin(std::sin(k), std::cos(2 * k), std::sin(3 * k));
+    addBox(world, {0.5, 0.3, 0.1}, {.velocity = {0, 0, -1}, .angularVelocity = spin});
+    addBox(world, {0.2, 0.4, 0.3},
+           {.mass = 2,
+            .position = {0.3 * std::sin(5 * k), 0.1, 0.397},
+            .velocity = {0, 0, 1},
+            .angularVelocity = -spin});
+    const Real energy = world.energy();
+    for (int step = 0; step < 20; ++step) {
+      world.step(kStep / 4);
+      most = std::max(most, world.energy() / energy - 1);
+    }
+  }
+  CHECK(most < 1e-9);
+}
+
+TEST_CASE("a disc that lies deep in the floor is held all around, not at its lowest point only") {
+  const HalfSpace floor = makeHalfSpace(Vector3::UnitZ(), Vector3::Zero());
+  const Quaternion q = turned(Vector3::UnitX(), 0.5);
+  const Real deep = GENERATE(0.0, -0.1, -0.4);
+  const Vector3 middle(0, 0, deep);
+  const Manifold found =
+      collideHalfSpace(floor, Pose{}, Cylinder{0.5, 0.1}, poseOf(q, middle), 0.01);
+  Real left = 0, right = 0, least = 0;
+  for (int i = 0; i < found.count; ++i) {
+    const ManifoldPoint& point = found.points[static_cast<std::size_t>(i)];
+    left = std::min(left, point.position.y());
+    right = std::max(right, point.position.y());
+    least = std::min(least, point.separation);
+  }
+  CHECK(left < -0.2);
+  if (deep < -0.3) CHECK(right > 0.2);
+  CHECK(std::abs(least - (deep - 0.5 * std::sin(0.5) - 0.1 * std::cos(0.5))) < 1e-12);
 }
