@@ -116,6 +116,9 @@ void PairGrid::update(std::span<const Aabb<3>> boxes) {
   for (std::size_t i = 0; i < boxes.size(); ++i) {
     if (!isBig_[i]) enter(static_cast<std::int32_t>(i));
   }
+  // Boxes that move are in some more cells or some less each time: room for that.
+  if (4 * entries_.capacity() < 5 * entries_.size()) entries_.reserve(2 * entries_.size());
+  other_.reserve(entries_.capacity());
   sort();
 }
 

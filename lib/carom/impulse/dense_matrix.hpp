@@ -24,6 +24,11 @@ class DenseMatrix {
         columns_(columns),
         values_(static_cast<std::size_t>(rows) * static_cast<std::size_t>(columns)) {}
 
+  /// Takes memory for a matrix of this size. \param rows zero or more \param columns zero or more
+  void reserve(int rows, int columns) {
+    values_.reserve(static_cast<std::size_t>(rows) * static_cast<std::size_t>(columns));
+  }
+
   /// Makes it a matrix of zeros, in the memory that it has. \param rows zero or more
   /// \param columns zero or more
   void reset(int rows, int columns) {

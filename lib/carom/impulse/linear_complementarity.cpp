@@ -224,6 +224,23 @@ void check(const DenseMatrix& M, std::span<const Real> q) {
 
 }  // namespace
 
+void reserve(ComplementarityMemory& memory, Complementarity& result, int rows) {
+  const std::size_t n = at(rows);
+  result.z.reserve(n);
+  for (DenseMatrix* square : {&memory.scaled, &memory.part, &memory.eliminated}) {
+    square->reserve(rows, rows);
+  }
+  memory.tableau.reserve(rows, 2 * rows + 2);
+  for (std::vector<Real>* numbers :
+       {&memory.scale, &memory.scaledQ, &memory.residual, &memory.step}) {
+    numbers->reserve(n);
+  }
+  memory.refined.reserve(n);
+  for (std::vector<int>* numbers : {&memory.basis, &memory.active, &memory.order}) {
+    numbers->reserve(n);
+  }
+}
+
 Complementarity solveComplementarity(const DenseMatrix& M, std::span<const Real> q) {
   ComplementarityMemory memory;
   Complementarity result;

@@ -58,6 +58,10 @@ struct ComplementarityMemory {
   std::vector<int> order;             ///< of rows, in the elimination
 };
 
+/// Takes memory for searches up to a size. \param memory gets it \param result for answers, too
+/// \param rows of the largest matrix \ingroup impulse
+void reserve(ComplementarityMemory& memory, Complementarity& result, int rows);
+
 /// Solves w = M z + q, z >= 0, w >= 0, z . w = 0.
 /// \param M square matrix; a solution is found if it is positive semi-definite and there is one, or
 /// if it is positive definite

@@ -352,6 +352,24 @@ void reflect(Scene& scene, Numbers group, bool plastic, std::vector<Real>& sums)
 
 }  // namespace
 
+void reserve(ImpactMemory& memory, SimultaneousImpacts& result, int bodies, int contacts,
+             int group) {
+  result.normalImpulses.reserve(at(contacts));
+  for (std::vector<int>* ofBodies : {&memory.roots, &memory.groupOfRoot}) {
+    ofBodies->reserve(at(bodies));
+  }
+  for (std::vector<int>* ofContacts : {&memory.live, &memory.active, &memory.members,
+                                       &memory.starts, &memory.order, &memory.taken}) {
+    ofContacts->reserve(at(contacts) + 1);
+  }
+  for (std::vector<Real>* ofGroup : {&memory.speeds, &memory.bent, &memory.impulses}) {
+    ofGroup->reserve(at(group));
+  }
+  memory.couplings.reserve(group, group);
+  memory.softened.reserve(group, group);
+  reserve(memory.searching, memory.solution, group);
+}
+
 SimultaneousImpacts simultaneousImpacts(std::span<MovingBody> bodies,
                                         std::span<const BodyContact> contacts,
                                         const ImpactRounds& limits) {

@@ -87,6 +87,12 @@ struct ImpactMemory {
   ComplementarityMemory searching;  ///< memory of that
 };
 
+/// Takes memory for impacts up to a size. \param memory gets it \param result for answers, too
+/// \param bodies the most in one call \param contacts the most in one call
+/// \param group the most contacts that act at the same time \ingroup impulse
+void reserve(ImpactMemory& memory, SimultaneousImpacts& result, int bodies, int contacts,
+             int group);
+
 /// Lets all contacts of many bodies act at once.
 /// \param bodies their velocities are changed
 /// \param contacts between them; a pair of bodies may have several

@@ -85,6 +85,21 @@ void makeLists(std::vector<std::vector<int>>& lists, std::size_t count) {
 
 }  // namespace
 
+void BodyMatrix::reserve(int bodies, int links) {
+  const std::size_t n = at(bodies), m = at(links);
+  links_.reserve(m);
+  makeLists(near_, n);
+  makeLists(later_, n);
+  merged_.reserve(n);
+  for (std::vector<int>* ofBodies : {&position_, &bodyAt_}) ofBodies->reserve(n);
+  start_.reserve(n + 1);
+  for (std::vector<int>* ofLinks : {&column_, &slotOf_}) ofLinks->reserve(m);
+  pivots_.reserve(n);
+  upper_.reserve(m);
+  lower_.reserve(m);
+  permuted_.reserve(n);
+}
+
 void BodyMatrix::analyse(int bodies, std::span<const BodyLink> links) {
   if (bodies == bodies_ && std::equal(links.begin(), links.end(), links_.begin(), links_.end())) {
     return;

@@ -39,6 +39,10 @@ struct BodyLink {
 /// A sparse matrix of blocks, and its factors. \ingroup solver
 class BodyMatrix {
  public:
+  /// Takes memory. \param bodies the most in one matrix \param links the most between them, those
+  /// that factors fill in included
+  void reserve(int bodies, int links);
+
   /// Takes the pattern and chooses the order. Does nothing if it has this pattern already.
   /// \param bodies how many \param links pairs of different bodies; may name a pair twice
   void analyse(int bodies, std::span<const BodyLink> links);

@@ -83,6 +83,21 @@ Real pressureOf(const ContactBlock& block) {
 
 }  // namespace
 
+void IslandNewton::reserve(int bodies, int blocks) {
+  const std::size_t n = at(bodies), m = at(blocks);
+  matrix_.reserve(bodies, blocks);
+  work_.reserve(m);
+  nodes_.reserve(n);
+  links_.reserve(m);
+  masses_.reserve(n);
+  velocity_.reserve(n);
+  step_.reserve(n);
+  loads_.reserve(n);
+  kept_.reserve(m);
+  free_.reserve(n);
+  keptVelocity_.reserve(n);
+}
+
 IslandError IslandNewton::errorOf(std::span<const MovingBody> bodies,
                                   std::span<const ContactBlock> blocks, Real speed) {
   // What the impulses on a body come to without regard to their directions: roundings of that are

@@ -61,6 +61,10 @@ struct IslandError {
 /// Solves islands directly; keeps its memory from one to the next. \ingroup solver
 class IslandNewton {
  public:
+  /// Takes memory. \param bodies the most in an island, those that nothing moves included
+  /// \param blocks the most in an island
+  void reserve(int bodies, int blocks);
+
   /// Looks whether the impulses that the blocks hold are the solution; changes nothing.
   /// \param bodies as they move with these impulses \param blocks prepared
   /// \param speed what is fast in this scene, at least [m/s] \return what is missing

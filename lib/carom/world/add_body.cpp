@@ -228,27 +228,19 @@ void requireUsable(const WorldState& state, const BodyDescription& description) 
 
 namespace {
 
-// Memory for the first few bodies as if they all met: small scenes need none later. In larger ones
-// lists grow to what the largest island yet has needed.
-void makeRoom(WorldState& state) {
-  constexpr std::size_t kMost = 32;
-  const std::size_t bodies = state.bodies.size();
-  if (bodies > kMost) return;
-  const std::size_t pairs = 2 * bodies, points = 4 * pairs;
-  Workspace& work = state.work;
+// Memory for islands of so many bodies.
+void makeRoom(Workspace& work, std::size_t bodies, std::size_t pairs, std::size_t points) {
+  for (std::vector<Index>* ofBodies : {&work.members, &work.set}) ofBodies->reserve(bodies);
+  for (std::vector<Velocity>* ofBodies : {&work.bounced, &work.stopped}) ofBodies->reserve(bodies);
   work.moving.reserve(bodies);
-  work.members.reserve(bodies);
-  work.set.reserve(bodies);
+  work.bodiesBefore.reserve(bodies);
+  // Each pair with what cannot be moved gives it a number.
   work.labels.reserve(bodies + pairs);
   work.flags.reserve(bodies + pairs);
-  work.bounced.reserve(bodies);
-  work.stopped.reserve(bodies);
-  work.bodiesBefore.reserve(bodies);
+  for (std::vector<Index>* ofPairs : {&work.toMake, &work.innerPairs}) ofPairs->reserve(pairs);
+  work.setPairs.reserve(2 * pairs);  // a pair may be there for each of its bodies
   work.patches.reserve(pairs);
   work.blocks.reserve(pairs);
-  work.setPairs.reserve(pairs);
-  work.toMake.reserve(pairs);
-  work.innerPairs.reserve(pairs);
   work.sorted.reserve(pairs);
   work.links.reserve(pairs);
   work.pairsBefore.reserve(pairs);
@@ -256,12 +248,28 @@ void makeRoom(WorldState& state) {
   work.contactPairs.reserve(points);
   work.contactPoints.reserve(points);
   work.approaches.reserve(points);
+  constexpr int kGroup = 16;  // contacts that act at the same time
+  reserve(work.impactMemory, work.impactRounds, static_cast<int>(bodies + pairs),
+          static_cast<int>(points), kGroup);
+  work.newton.reserve(static_cast<int>(bodies + pairs), static_cast<int>(pairs));
+}
+
+// Memory for the first few bodies as if they all met: small scenes need none later. In larger ones
+// lists grow to what the largest island yet has needed.
+void makeRoom(WorldState& state) {
+  constexpr std::size_t kMost = 32;
+  const std::size_t now = state.bodies.size(), bodies = 2 * now;
+  const bool isPower = (now & (now - 1)) == 0;
+  if (!isPower || bodies > kMost) return;
+  const std::size_t pairs = 2 * bodies, points = 4 * pairs;
+  makeRoom(state.work, bodies, pairs, points);
   state.pairs.reserve(pairs);
   state.kept.reserve(pairs);
   state.awakePairs.reserve(pairs);
   state.islands.reserve(bodies);
   state.freeIslands.reserve(bodies);
   state.awakeIslands.reserve(bodies);
+  state.islandLists.provide(2 * bodies);
   state.islandLists.reserve(bodies + pairs);
   state.begun.reserve(pairs);
   state.ended.reserve(pairs);

@@ -22,6 +22,13 @@ class ListPool {
   /// A list of numbers.
   using List = std::vector<std::int32_t>;
 
+  /// Makes spare lists of the least size. \param count so many there are, those in use included
+  void provide(std::size_t count) {
+    const std::size_t size = sizeOfLeast();
+    spare_[size].reserve(count);
+    for (; made_[size] < count; ++made_[size]) spare_[size].emplace_back().reserve(kLeast);
+  }
+
   /// Makes spare lists, so that few calls ask for memory as long as all lists together are no
   /// longer than this. \param numbers in all lists
   void reserve(std::size_t numbers) {

@@ -151,6 +151,7 @@ void giveAnchor(WorldState& state, BodySlot& body, const RotorAnchor& anchor) {
   if (state.freeAnchors.empty()) {
     body.anchor = state.anchors.size();
     state.anchors.push_back(anchor);
+    state.freeAnchors.reserve(state.anchors.capacity());  // dropping one takes no memory
   } else {
     body.anchor = state.freeAnchors.back();
     state.freeAnchors.pop_back();
