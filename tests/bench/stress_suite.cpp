@@ -188,7 +188,8 @@ void runScenes(const StressOptions& options, Report& report) {
     sum.add(outcome.tally);
     if (!outcome.failure.empty()) {
       ++faults;
-      report.fault("random scene " + std::to_string(seed), outcome.failure, repeat);
+      const std::string kind = outcome.isPlain ? "random scene, plain, " : "random scene ";
+      report.fault(kind + std::to_string(seed), outcome.failure, repeat);
     }
     if (options.scenes == 1) {
       std::cout << carom::stress::describeRandomScene(seed) << '\n';
