@@ -89,6 +89,8 @@ struct ContactBlock {
   int count = 0;                      ///< points
   int rubs = 0;                       ///< rows of friction: 0, 2, or 3 with the turn
   bool slips = false;                 ///< slips at the start
+  bool given = false;                 ///< friction does not depend on the end (FrictionLaw::given)
+  int lawChanges = 0;                 ///< how often sweeps have changed that
   Real friction = 0;                  ///< mu [1]
   Real radius = 0;                    ///< mean distance of the points from the centre [m]
   std::array<PushRow, 4> normals;     ///< along the normal, one per point

@@ -39,10 +39,21 @@ Vector3 frictionAgainst(const ContactBlock& block, const Vector3& w, Real limit)
 }
 
 // The friction that a block asks for, with the slip that it sees now and the pressure it has now.
-Vector3 wantedRub(const ContactBlock& block, const Vector3& slip, Real pressed) {
+// Where slip turns aside its two laws meet in a jump, and neither may hold at what the other leads
+// to: sweeps would go to and fro for ever. After a few changes friction is against the slip at the
+// end alone, which has one law.
+Vector3 wantedRub(ContactBlock& block, const Vector3& slip, Real pressed) {
+  constexpr int kMostChanges = 8;
   const Real limit = block.friction * pressed;
   const Vector3 without = slip - block.matrix * block.rub;
-  const FrictionLaw law = frictionLaw(block, without, limit);
+  FrictionLaw law = frictionLaw(block, without, limit);
+  if (law.given != block.given) {
+    block.given = law.given;
+    if (++block.lawChanges > kMostChanges) {
+      block.slips = false;
+      law = frictionLaw(block, without, limit);
+    }
+  }
   if (law.given) return -limit / law.before.norm() * law.before;
   return frictionAgainst(block, law.before + without, limit);
 }
@@ -117,6 +128,10 @@ Sweeps solvePatches(std::span<MovingBody> bodies, std::span<ContactBlock> blocks
   // Rounding keeps the last digits moving; when they do not settle further it is time to stop.
   constexpr Real kAlmost = 1e-11;
   constexpr int kPatience = 12;
+  // What is no nearer after so many rows, or sweeps, will not be: it goes round in a circle.
+  constexpr int kCircleSweeps = 300;
+  constexpr std::int64_t kCircleRows = 50'000;
+  const std::int64_t circle = std::max<std::int64_t>(kCircleSweeps, kCircleRows / rows);
   Real best = std::numeric_limits<Real>::infinity();
   int unchanged = 0;
   do {
@@ -134,7 +149,7 @@ Sweeps solvePatches(std::span<MovingBody> bodies, std::span<ContactBlock> blocks
     }
     unchanged = done.change < best / 2 ? 0 : unchanged + 1;
     best = std::min(best, done.change);
-    if (best < kAlmost * limits.speed && unchanged > kPatience) break;
+    if (unchanged > (best < kAlmost * limits.speed ? kPatience : circle)) break;
   } while (done.change > little && done.sweeps < most);
   done.rows = rows * done.sweeps;
   return done;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "carom/world/advance_pile.hpp"
 #include "carom/world/contact_phase.hpp"
@@ -183,6 +184,36 @@ void setOfPair(WorldState& state, const IslandSlot& island, const PairSlot& pair
   }
 }
 
+void advanceAtOnce(WorldState& state, Index index, Real start, Real end) {
+  const IslandSlot& island = state.islands[at(index)];
+  resolveAtOnce(state, island.bodies, island.pairs, start, end - start);
+  solvePhase(state, {.bodies = island.bodies,
+                     .pairs = island.pairs,
+                     .start = start,
+                     .end = end,
+                     .speculative = true});
+}
+
+bool bounces(const WorldState& state, const IslandSlot& island) {
+  return std::any_of(island.pairs.begin(), island.pairs.end(),
+                     [&](Index pair) { return state.pairs[at(pair)].restitution > 0; });
+}
+
+bool rubs(const WorldState& state, const IslandSlot& island) {
+  return std::any_of(island.pairs.begin(), island.pairs.end(),
+                     [&](Index pair) { return state.pairs[at(pair)].friction > 0; });
+}
+
+// How many events of a step are worth their while. Where something bounces each has its moment, and
+// without friction impacts come to an end; in a heap that settles they come ever faster.
+std::size_t eventsWorth(const WorldState& state, const IslandSlot& island) {
+  constexpr std::size_t kFew = 64, kEach = 2;
+  if (bounces(state, island) || !rubs(state, island)) {
+    return std::numeric_limits<std::size_t>::max();
+  }
+  return kFew + kEach * island.bodies.size();
+}
+
 // Returns false if the contacts do not settle; then nothing but velocities has changed.
 bool advanceByEvents(WorldState& state, Index index, Real start, Real dt, int& events) {
   const IslandSlot& island = state.islands[at(index)];
@@ -193,9 +224,17 @@ bool advanceByEvents(WorldState& state, Index index, Real start, Real dt, int& e
   // After so many events bodies stop bouncing; after as many again they go where they go.
   const std::size_t most =
       static_cast<std::size_t>(state.settings.eventsPerBody) * (island.bodies.size() + 1);
+  constexpr int kHeapFor = 8;  // steps that an island of more events is taken at once
+  const std::size_t worth = eventsWorth(state, island);
   for (std::size_t count = 0; count < 2 * most; ++count) {
     const Event event = nextEvent(state, island);
     if (!(event.time < dt)) break;
+    if (count >= worth && !state.longSteps) {
+      for (const Index body : island.bodies) moveBody(state, body, event.time);
+      advanceAtOnce(state, index, event.time, dt);
+      state.islands[at(index)].hardFor = kHeapFor;
+      break;
+    }
     ++events;
     PairSlot& pair = state.pairs[at(event.pair)];
     setOfPair(state, island, pair);
@@ -207,16 +246,6 @@ bool advanceByEvents(WorldState& state, Index index, Real start, Real dt, int& e
     settle(state, index, event.time, dt, count < most);
   }
   return true;
-}
-
-void advanceAtOnce(WorldState& state, Index index, Real start, Real end) {
-  const IslandSlot& island = state.islands[at(index)];
-  resolveAtOnce(state, island.bodies, island.pairs, start, end - start);
-  solvePhase(state, {.bodies = island.bodies,
-                     .pairs = island.pairs,
-                     .start = start,
-                     .end = end,
-                     .speculative = true});
 }
 
 // Whether it is worth the while to look if a step changes anything: nothing is fast, and nothing
@@ -273,33 +302,29 @@ bool isAsRemembered(const WorldState& state, const IslandSlot& island) {
   return island.hardFor == 0;
 }
 
-bool bounces(const WorldState& state, const IslandSlot& island) {
-  return std::any_of(island.pairs.begin(), island.pairs.end(),
-                     [&](Index pair) { return state.pairs[at(pair)].restitution > 0; });
-}
-
-// Whether an island may be a pile for what it takes otherwise. Only heaps of balls: what soft steps
-// leave of overlap is too much for boxes and hulls that go on by events. Bounces want their moments;
-// without friction sweeps come to an end; what is small and mostly stands may stand; and of a few
-// bodies each moment counts.
+// Whether an island may be a pile for what it takes otherwise. Bounces want their moments; without
+// friction sweeps come to an end; what is small and stands may stand; and of a few bodies each
+// moment counts. What soft steps leave of overlap is too much for boxes and hulls that go on by
+// events or stand still, and only their heaps may be piles.
 bool mayBePile(const WorldState& state, const IslandSlot& island) {
   constexpr std::size_t kFewBodies = 8;  // are always worth their events
-  if (island.bodies.size() < kFewBodies) return false;
-  const bool rubs = std::any_of(island.pairs.begin(), island.pairs.end(),
-                                [&](Index pair) { return state.pairs[at(pair)].friction > 0; });
+  if (island.bodies.size() < kFewBodies || !rubs(state, island) || bounces(state, island)) {
+    return false;
+  }
   const bool isOfBalls = std::all_of(island.pairs.begin(), island.pairs.end(), [&](Index index) {
     const PairSlot& pair = state.pairs[at(index)];
     return isRound(state.shapes[at(pair.shapeA)]) && isRound(state.shapes[at(pair.shapeB)]);
   });
-  if (!rubs || !isOfBalls || bounces(state, island)) return false;
-  if (closedPoints(state, island) > state.settings.eventContacts) return true;
-  constexpr Real kSteps = 1;  // of free fall make a speed that is not small
-  const Real fast = kSteps * state.settings.gravity.norm() * state.lastStep;
+  const bool isHeap = closedPoints(state, island) > state.settings.eventContacts;
+  if (isOfBalls == isHeap) return isHeap;
+  // Steps of free fall that make a speed that is not small, and the share of bodies that have it.
+  const Real slow = isOfBalls ? 1 : 0.1, share = isOfBalls ? 0.5 : 0.1;
+  const Real fast = slow * state.settings.gravity.norm() * state.lastStep;
   const auto isFast = [&](Index body) {
     return state.bodies[at(body)].velocity.linear.squaredNorm() > fast * fast;
   };
   const auto moving = std::count_if(island.bodies.begin(), island.bodies.end(), isFast);
-  return 2 * moving > static_cast<std::ptrdiff_t>(island.bodies.size());
+  return static_cast<Real>(moving) > share * static_cast<Real>(island.bodies.size());
 }
 
 // Whether an island is solved by soft steps: many contacts, so many bodies that plastic impacts

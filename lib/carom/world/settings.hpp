@@ -40,11 +40,11 @@ struct WorldSettings {
   int eventContacts = 64;   ///< islands with more closed contacts than this take no events
   int pileContacts = 512;   ///< islands with more closed contacts than this are piles: soft steps
   int pileBodies = 300;     ///< so are islands of more bodies that do not bounce
-  /// An island of eight balls and more whose step took more than so many times what it would take
-  /// as a pile is one for the next `pileSteps` steps, as long as something in it rubs, nothing
-  /// bounces, and it has more closed contacts than `eventContacts`, or most of its bodies are faster
-  /// than a step of free fall makes them; positive.
-  int pileWork = 30;
+  /// An island of eight bodies and more whose step took more than so many times what it would take
+  /// as a pile is one for the next `pileSteps` steps, as long as something in it rubs and nothing
+  /// bounces: balls if it has more closed contacts than `eventContacts` or most are faster than a
+  /// step of free fall makes them; others if it has so many and a tenth of them moves; positive.
+  int pileWork = 10;
   int pileSteps = 60;  ///< for which an island stays a pile that took too much; zero or more
   int shortSteps = 8;  ///< of a pile in a step; positive
   int threads = 1;     ///< who work on piles; the result is the same for any number; positive
