@@ -54,9 +54,14 @@ function(carom_test_program name)
   if("unit" IN_LIST arg_LABELS)
     add_dependencies(unit_tests ${name})
   endif()
+  # Sanitizers take ten times as long and more; what hangs is to be told from that.
+  set(timeout 300)
+  if(CMAKE_CXX_FLAGS MATCHES "-fsanitize")
+    set(timeout 1800)
+  endif()
   # Listing happens when ctest runs, so that a crashing program does not break the build.
   catch_discover_tests(${name} TEST_PREFIX "${name}: " DISCOVERY_MODE PRE_TEST
-    PROPERTIES LABELS "${arg_LABELS}" TIMEOUT 300)
+    PROPERTIES LABELS "${arg_LABELS}" TIMEOUT ${timeout})
 endfunction()
 
 # carom_layer_tests(<layer> <file>...): the unit tests of a layer, linked with that layer's target alone.
