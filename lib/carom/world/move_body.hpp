@@ -23,9 +23,9 @@ inline constexpr Real kFastTurn = 0.25;
 bool nutates(const WorldState& state, const BodySlot& body);
 
 /// Whether a small error of where a body lies is a large one of its energy: it turns far in this
-/// time, or is a needle, whose spin about its length is a thousandth of what the same momentum is
-/// about any other axis. \param body any \param rate at which it turns [rad/s, world]
-/// \param duration of the time [s] \ingroup world
+/// time, or is a needle, whose spin about its length is a thousandth of what it is about others for
+/// the same momentum. \param body any \param rate at which it turns [rad/s, world]
+/// \param duration of the time [s] \return false if the error does not matter \ingroup world
 bool needsEnergyKept(const BodySlot& body, const Vector3& rate, Real duration);
 
 /// Twice the energy with which a body turns. \param body whose moments
