@@ -467,13 +467,17 @@ bool IslandNewton::iterate(std::span<MovingBody> bodies, std::span<ContactBlock>
   Real best = std::numeric_limits<Real>::infinity();
   Real first = 0, before = 0;  // work of the forces left over, of the first and the last round
   Real most = 0;               // the same of all rounds
-  const auto unglue = [&] {
-    glued_ = hasFactors_ = false;
-    coupled_ = true;
-    roundsHere = 0;
+  const auto beginAnew = [&](bool cold) {
+    hasFactors_ = false;
     best = std::numeric_limits<Real>::infinity();
     first = before = most = 0;
-    begin(bodies, blocks, false);
+    begin(bodies, blocks, cold);
+  };
+  const auto unglue = [&] {
+    glued_ = false;
+    coupled_ = true;
+    roundsHere = 0;
+    beginAnew(false);
   };
   while (result.rounds < limits.rounds) {
     if (glued_ && result.rounds >= limits.rounds / 2) unglue();
@@ -575,10 +579,7 @@ bool IslandNewton::iterate(std::span<MovingBody> bodies, std::span<ContactBlock>
         unglue();
         continue;
       }
-      hasFactors_ = false;
-      best = std::numeric_limits<Real>::infinity();
-      first = before = most = 0;
-      begin(bodies, blocks, true);
+      beginAnew(true);
       continue;
     }
     if (glued_) {

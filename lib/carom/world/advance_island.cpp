@@ -125,6 +125,7 @@ bool settle(WorldState& state, Index island, Real time, Real dt, bool bounce) {
   for (const Index index : work.setPairs) {
     PairSlot& pair = state.pairs[at(index)];
     pair.stop = pair.renew = kNever;
+    pair.bySoftSteps = false;
     if (!isInner(state, pair, time)) continue;
     makeManifold(state, index, time, dt - time);
     inner.push_back(index);
@@ -373,9 +374,7 @@ IslandRun advanceIsland(WorldState& state, Index index, Real start, Real end) {
   }
   // What a pile carries along is not good enough here.
   for (const Index pair : island.pairs) {
-    if (!state.pairs[at(pair)].carried) continue;
-    state.pairs[at(pair)].madeAt = -1;
-    makeManifold(state, pair, start, end - start);
+    if (state.pairs[at(pair)].carried) remakeManifold(state, pair, start, end - start);
   }
   const std::int64_t workBefore = workDone(state.counters);
   const bool isWatched = mayBeStill(state, island);

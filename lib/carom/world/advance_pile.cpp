@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "carom/rotation/integrate_orientation.hpp"
-#include "carom/rotation/quaternion_to_matrix.hpp"
 #include "carom/world/move_body.hpp"
 #include "carom/world/update_contacts.hpp"
 
@@ -13,11 +12,6 @@ namespace {
 
 // Fewer bodies or contacts than this are not worth a second thread.
 constexpr std::size_t kFew = 64;
-
-// Stands in PairSlot::renew, which piles have no other use for, where forces are those of soft
-// steps. What the events of a step have left is a force over whatever time was left of it: it may
-// be thousands of times what a whole step needs, and threw bodies out of a heap as if shot.
-constexpr Real kBySoftSteps = -1;
 
 // Bodies get numbers, those that contacts can move first; pairs with points become edges.
 void number(WorldState& state, const IslandSlot& island) {
@@ -41,7 +35,9 @@ void number(WorldState& state, const IslandSlot& island) {
   };
   for (const Index index : island.pairs) {
     PairSlot& pair = state.pairs[at(index)];
-    if (pair.renew != kBySoftSteps) {
+    // What the events of a step have left is a force over whatever time was left of it: it may be
+    // thousands of times what a whole step needs, and threw bodies out of a heap as if shot.
+    if (!pair.bySoftSteps) {
       pair.force = {};
       pair.rub = Vector3::Zero();
       pair.twist = 0;
@@ -51,11 +47,6 @@ void number(WorldState& state, const IslandSlot& island) {
     pile.edges.push_back({numberOf(pair.bodyA), numberOf(pair.bodyB)});
     pile.counts.push_back(static_cast<std::uint8_t>(pair.manifold.count));
   }
-}
-
-// How a body lies in the middle of a step, as far as its own turning takes it.
-Matrix3 middleOf(const BodySlot& body, Real dt) {
-  return quaternionToMatrix(integrateOrientation(body.orientation, body.velocity.angular, dt / 2));
 }
 
 // A body as the solver sees it, and what forces and its own turning add to its velocity.
@@ -118,7 +109,7 @@ void storeForces(WorldState& state, std::size_t place, Real duration) {
   pair.rub = forces.rub;
   pair.twist = forces.twist;
   pair.sticks = forces.sticks;
-  pair.renew = kBySoftSteps;
+  pair.bySoftSteps = true;
 }
 
 // Whether most of what touches carries nothing yet: it was put there, or has just come to lie. A

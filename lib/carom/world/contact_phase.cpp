@@ -402,9 +402,7 @@ bool solvePhase(WorldState& state, const PhaseTask& task) {
     if (body.isFree) continue;
     dropAnchor(state, body);
     if (body.turnsEvenly || body.velocity.angular == Vector3::Zero()) continue;
-    const Quaternion half =
-        integrateOrientation(body.orientation, body.velocity.angular, duration / 2);
-    work.moving[i].mass.inverseInertia = inverseInertiaOf(body, quaternionToMatrix(half));
+    work.moving[i].mass.inverseInertia = inverseInertiaOf(body, middleOf(body, duration));
   }
   if (work.patches.empty()) return true;
 

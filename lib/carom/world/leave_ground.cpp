@@ -107,8 +107,8 @@ Touch touchAt(WorldState& state, const PairSlot& pair, const Pose& pose, Real ti
   const ShapeSlot &a = state.shapes[at(pair.shapeA)], &b = state.shapes[at(pair.shapeB)];
   const BodyState then = bodyAt(state, pair.bodyB, time);
   const Real gap = touchGap(state, pair);
-  const Manifold manifold = collideGround(*a.data->ground, a.item, pose, b.data->convex,
-                                          placed(poseOf(then.orientation, then.position), b), gap);
+  const Manifold manifold =
+      collideGround(*a.data->ground, a.item, pose, b.data->convex, poseOfShape(then, b), gap);
   Touch touch = Touch::none;
   for (int i = 0; i < manifold.count; ++i) {
     const ManifoldPoint& point = manifold.points[at(i)];
@@ -212,8 +212,7 @@ Real nextGroundContact(WorldState& state, Index index, Real time, Real end, Real
   }
   const auto soon = [&](Real later) { return later < end - time ? time + later : kNever; };
   if (ground.isFace(a.item)) {
-    const Real height = heightOverFace(ground, a.item, pose, b.data->convex,
-                                       placed(poseOf(now.orientation, now.position), b));
+    const Real height = heightOverFace(ground, a.item, pose, b.data->convex, poseOfShape(now, b));
     // Too far in front, or so far behind that it cannot come in front of the plane before.
     if (height > way || height < -way - gap) return kNever;
     // On its plane, here or beside it: what of the body is over the face is followed.

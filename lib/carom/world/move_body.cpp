@@ -68,6 +68,11 @@ Matrix3 inverseInertiaOf(const BodySlot& body, const Matrix3& R_WB) {
   return (inverse + inverse.transpose()) / 2;
 }
 
+Matrix3 middleOf(const BodySlot& body, Real duration) {
+  return quaternionToMatrix(
+      integrateOrientation(body.orientation, body.velocity.angular, duration / 2));
+}
+
 bool nutates(const WorldState& state, const BodySlot& body) {
   return !body.turnsEvenly && state.settings.gyroscopic && isDynamic(body) &&
          body.velocity.angular != Vector3::Zero();
@@ -127,8 +132,7 @@ void moveBody(WorldState& state, Index index, Real time, bool last) {
   // Contacts have pushed the body as it would lie in the middle of this time.
   const Real duration = time - body.clock;
   const bool isFast = !body.isFree && needsEnergyKept(body, body.velocity.angular, duration);
-  const Quaternion middle =
-      isFast ? integrateOrientation(before, body.velocity.angular, duration / 2) : Quaternion{};
+  const Matrix3 middle = isFast ? middleOf(body, duration) : Matrix3::Identity();
   const bool turned = q.w != before.w || q.x != before.x || q.y != before.y || q.z != before.z;
   if (body.anchor && !body.isFree) dropAnchor(state, body);
   if (body.anchor) {
@@ -144,7 +148,7 @@ void moveBody(WorldState& state, Index index, Real time, bool last) {
   } else {
     body.pose.p_WB = body.position;
   }
-  if (isFast) keepTurningEnergy(body, quaternionToMatrix(middle));
+  if (isFast) keepTurningEnergy(body, middle);
 }
 
 void giveAnchor(WorldState& state, BodySlot& body, const RotorAnchor& anchor) {
@@ -180,9 +184,8 @@ Vector3 turnedRate(const BodySlot& body, Real duration) {
   // Two rounds are not enough for a body that turns far in this time; then its energy at least
   // stays what it was, as it lies in the middle, where contacts push it.
   if (needsEnergyKept(body, w, duration)) {
-    const Matrix3 middle =
-        quaternionToMatrix(integrateOrientation(body.orientation, w, duration / 2));
-    const Real before = turningEnergy(body, R, w), now = turningEnergy(body, middle, after);
+    const Real before = turningEnergy(body, R, w);
+    const Real now = turningEnergy(body, middleOf(body, duration), after);
     if (now > before) after *= std::sqrt(before / now);
   }
   return after;

@@ -45,6 +45,16 @@ struct BodyState {
   Velocity velocity;                   ///< [world]
 };
 
+/// Where a shape of a body at some moment is. \param body at that moment
+/// \param shape one of its shapes \return world from shape \ingroup world
+inline Pose poseOfShape(const BodyState& body, const ShapeSlot& shape) {
+  return placed(poseOf(body.orientation, body.position), shape);
+}
+
+/// How a body lies in the middle of a time, as far as its own turning takes it. \param body whose
+/// \param duration of the time [s] \return rotation, inner frame to world \ingroup world
+Matrix3 middleOf(const BodySlot& body, Real duration);
+
 /// Makes pose and inverse inertia anew from position and orientation. \param body is changed
 /// \ingroup world
 void refreshPose(BodySlot& body);

@@ -59,8 +59,7 @@ Real nextOfPoints(const WorldState& state, const PairSlot& pair) {
 
 Sweep sweepOf(const BodySlot& body, const BodyState& now, const ShapeSlot& shape) {
   Sweep sweep;
-  const Pose pose = poseOf(now.orientation, now.position);
-  sweep.start = placed(pose, shape);
+  sweep.start = poseOfShape(now, shape);
   sweep.velocity = now.velocity.linear;
   sweep.angularVelocity = now.velocity.angular;
   if (!body.asleep) sweep.acceleration = body.acceleration;
@@ -107,10 +106,8 @@ Real nextOfTurned(WorldState& state, const PairSlot& pair, Real time, Real end, 
   for (int part = 1; part < parts; ++part) {
     const Real later = time + (end - time) * part / parts;
     const BodyState A = bodyAt(state, pair.bodyA, later), B = bodyAt(state, pair.bodyB, later);
-    const Pose poseA = poseOf(A.orientation, A.position), poseB = poseOf(B.orientation, B.position);
     const Separation found =
-        signedDistance(a.data->whole, a.centred ? poseA : composed(poseA, a.pose), b.data->whole,
-                       b.centred ? poseB : composed(poseB, b.pose));
+        signedDistance(a.data->whole, poseOfShape(A, a), b.data->whole, poseOfShape(B, b));
     if (found.separation >= -state.settings.restTolerance) continue;
     const Vector3 point = (found.pointA + found.pointB) / 2;
     const Vector3 speed =
@@ -138,9 +135,7 @@ Real nextContact(WorldState& state, Index index, Real time, Real end) {
   if (pair.madeAt == time) {
     bool closed = false;
     for (int i = 0; i < pair.manifold.count; ++i) closed = closed || isClosed(state, pair, i);
-    if (closed) {
-      return nextOfTouch();
-    }
+    if (closed) return nextOfTouch();
   }
   const ShapeSlot &a = state.shapes[at(pair.shapeA)], &b = state.shapes[at(pair.shapeB)];
   const BodySlot &bodyA = state.bodies[at(pair.bodyA)], &bodyB = state.bodies[at(pair.bodyB)];

@@ -144,10 +144,7 @@ void projectRounds(WorldState& state, std::span<const Index> bodies, std::span<c
   if (!carries) return;
   constexpr int kRounds = 8;
   for (int round = 0; round < kRounds; ++round) {
-    for (const Index index : pairs) {
-      state.pairs[at(index)].madeAt = -1;
-      makeManifold(state, index, end, 0);
-    }
+    for (const Index index : pairs) remakeManifold(state, index, end, 0);
     if (!projectPositions(state, bodies, pairs)) return;
   }
 }

@@ -18,11 +18,8 @@ bool isHeld(const PairSlot& pair, int point) {
   return pair.force[at(point)] > 0 && pair.manifold.points[at(point)].separation <= kMostGap;
 }
 
-void makeManifolds(WorldState& state, std::span<const Index> pairs, Real end) {
-  for (const Index index : pairs) {
-    state.pairs[at(index)].madeAt = -1;
-    makeManifold(state, index, end, 0);
-  }
+void remakeManifolds(WorldState& state, std::span<const Index> pairs, Real end) {
+  for (const Index index : pairs) remakeManifold(state, index, end, 0);
 }
 
 // Rows of what is held, as it is now.
@@ -72,10 +69,10 @@ void projectEnd(WorldState& state, std::span<const Index> bodies, std::span<cons
     return std::any_of(pair.force.begin(), pair.force.end(), [](Real force) { return force > 0; });
   };
   if (std::none_of(pairs.begin(), pairs.end(), carries)) return;
-  makeManifolds(state, pairs, end);
+  remakeManifolds(state, pairs, end);
   for (int round = 0; round < kRounds && state.settings.projectPositions; ++round) {
     if (!projectPositions(state, bodies, pairs, kMostGap)) break;
-    makeManifolds(state, pairs, end);
+    remakeManifolds(state, pairs, end);
   }
 
   gather(state, bodies, pairs);

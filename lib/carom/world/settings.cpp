@@ -12,6 +12,10 @@ void requireAtLeastOne(int value, const char* name) {
   if (value < 1) reject(name, std::to_string(value), "must be positive");
 }
 
+void requireNotBelowZero(int value, const char* name) {
+  if (value < 0) reject(name, std::to_string(value), "must be zero or positive");
+}
+
 }  // namespace
 
 void requireUsable(const WorldSettings& settings) {
@@ -19,25 +23,13 @@ void requireUsable(const WorldSettings& settings) {
   requireAtLeastOne(settings.iterations, "iterations");
   requireAtLeastOne(settings.eventsPerBody, "eventsPerBody");
   requireAtLeastOne(settings.maxBodies, "maxBodies");
-  if (settings.rowBudget < 0) {
-    reject("rowBudget", std::to_string(settings.rowBudget), "must be zero or positive");
-  }
-  if (settings.directWork < 0) {
-    reject("directWork", std::to_string(settings.directWork), "must be zero or positive");
-  }
-  if (settings.eventContacts < 0) {
-    reject("eventContacts", std::to_string(settings.eventContacts), "must be zero or positive");
-  }
-  if (settings.pileContacts < 0) {
-    reject("pileContacts", std::to_string(settings.pileContacts), "must be zero or positive");
-  }
-  if (settings.pileBodies < 0) {
-    reject("pileBodies", std::to_string(settings.pileBodies), "must be zero or positive");
-  }
+  requireNotBelowZero(settings.rowBudget, "rowBudget");
+  requireNotBelowZero(settings.directWork, "directWork");
+  requireNotBelowZero(settings.eventContacts, "eventContacts");
+  requireNotBelowZero(settings.pileContacts, "pileContacts");
+  requireNotBelowZero(settings.pileBodies, "pileBodies");
   requireAtLeastOne(settings.pileWork, "pileWork");
-  if (settings.pileSteps < 0) {
-    reject("pileSteps", std::to_string(settings.pileSteps), "must be zero or positive");
-  }
+  requireNotBelowZero(settings.pileSteps, "pileSteps");
   requireAtLeastOne(settings.shortSteps, "shortSteps");
   requireAtLeastOne(settings.threads, "threads");
   requirePositive(settings.contactMargin, "contactMargin");

@@ -38,10 +38,9 @@ bool meetsStranger(const WorldState& state, Index index, const Aabb<3>& way) {
 // Whether a body is within the boxes in which it was expected.
 bool isInside(WorldState& state, Index index, Real time) {
   const BodyState then = bodyAt(state, index, time);
-  const Pose pose = poseOf(then.orientation, then.position);
   for (const Index number : state.bodies[at(index)].shapes) {
     const ShapeSlot& shape = state.shapes[at(number)];
-    if (!holds(shape.swept, boundsOfShape(shape, placed(pose, shape)))) return false;
+    if (!holds(shape.swept, boundsOfShape(shape, poseOfShape(then, shape)))) return false;
   }
   return true;
 }
@@ -121,13 +120,12 @@ bool holdMiddle(WorldState& state, const PairSlot& pair, const StepSpan& span, b
   const ShapeSlot& shape = state.shapes[at(pair.shapeA)];
   const bool isGround = shape.data->ground != nullptr;
   BodySlot& body = state.bodies[at(pair.bodyB)];
-  if (isGround ? !state.shapes[at(pair.shapeA)].data->ground->isFace(shape.item) : followed)
-    return false;
+  if (isGround ? !shape.data->ground->isFace(shape.item) : followed) return false;
   if (isDynamic(state.bodies[at(pair.bodyA)]) || body.shapes.size() != 1) return false;
   const BodyState then = bodyAt(state, pair.bodyA, span.start),
                   now = bodyAt(state, pair.bodyA, span.end);
-  const Pose before = placed(poseOf(then.orientation, then.position), shape);
-  const Pose after = placed(poseOf(now.orientation, now.position), shape);
+  const Pose before = poseOfShape(then, shape);
+  const Pose after = poseOfShape(now, shape);
   const Vector3 from = pointToWorld(after, pointToBody(before, state.work.middles[at(body.local)]));
   Lift lift;
   if (isGround) {

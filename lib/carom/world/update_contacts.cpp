@@ -347,14 +347,18 @@ void makeManifold(WorldState& state, Index index, Real time, Real rest) {
     if (body.clock == time || body.kind == BodyKind::immovable || body.asleep) {
       return poseOfShape(body, shape);
     }
-    const BodyState then = bodyAt(state, number, time);
-    return placed(poseOf(then.orientation, then.position), shape);
+    return poseOfShape(bodyAt(state, number, time), shape);
   };
   const Pose A = poseNow(pair.bodyA, a), B = poseNow(pair.bodyB, b);
   collidePair(state, pair, A, B, marginOf(state, pair, rest));
   state.kept[at(index)].known = false;
   pair.madeAt = time;
   countManifold(state, pair);
+}
+
+void remakeManifold(WorldState& state, Index index, Real time, Real rest) {
+  state.pairs[at(index)].madeAt = -1;
+  makeManifold(state, index, time, rest);
 }
 
 Real touchGap(const WorldState& state, const PairSlot& pair) {

@@ -28,6 +28,11 @@ void updateManifolds(WorldState& state, Real dt);
 /// \param rest how much of the step is left [s] \ingroup world
 void makeManifold(WorldState& state, Index index, Real time, Real rest);
 
+/// The same, also where there is one of that time: something has moved since. \param state of the
+/// world \param index of the pair \param time in this step [s] \param rest as above [s]
+/// \ingroup world
+void remakeManifold(WorldState& state, Index index, Real time, Real rest);
+
 /// The gap at which approaching points of a pair have met: that of the settings, and what rounding
 /// makes of coordinates. \param state of the world \param pair which \return [m] \ingroup world
 Real touchGap(const WorldState& state, const PairSlot& pair);

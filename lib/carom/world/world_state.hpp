@@ -134,6 +134,7 @@ struct PairSlot {
   bool sticks = false;             ///< friction held it in the last part of a step
   bool known = false;              ///< has been looked at in some step
   bool carried = false;            ///< its manifold is that of an earlier step, carried along
+  bool bySoftSteps = false;        ///< its forces are those of a pile, and no event came since
   Real friction = 0;               ///< of the two materials [1]
   Real restitution = 0;            ///< of the two materials [1]
   ManifoldCache cache;             ///< hints
