@@ -138,12 +138,16 @@ std::vector<EngineKind> caromEngines() {
   world::WorldSettings skipsNothing;
   skipsNothing.sleeping = skipsNothing.keepStill = false;
   skipsNothing.pairFinding = world::PairFinding::allPairs;
+  world::WorldSettings soft;
+  soft.pileContacts = soft.pileBodies = 0;
   world::WorldSettings twoThreads;
   twoThreads.threads = 2;
   return {
       caromWith("carom", "as it comes; sleeping only where the scene lets bodies sleep", {}, true),
       caromWith("carom no events", "impacts and ends of slipping are not located inside the step",
                 noEvents, false),
+      caromWith("carom soft", "islands in which nothing bounces go by soft steps, however small",
+                soft, false),
       caromWith("carom 2 threads", "piles and manifolds are shared by two threads", twoThreads,
                 false),
       caromWith("carom skips nothing", "all pairs, nothing sleeps", skipsNothing),

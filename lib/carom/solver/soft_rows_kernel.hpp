@@ -203,7 +203,8 @@ CAROM_LANES_INLINE void prepareLanes(SoftBlock<T>& block, int k, const SoftBodie
     const V3<S> off{arm.x - centreB.x, arm.y - centreB.y, arm.z - centreB.z};
     radius += weightOf(i) * squareRoot(dot(off, off));
   }
-  store(radius, &block.radius.x[k]);
+  // About a single point nothing holds, whatever the others of its block have.
+  store(select(there > one, radius, zero), &block.radius.x[k]);
 
   for (int i = 0; i < block.points; ++i) {
     PointRows<T>& point = block.point[i];

@@ -88,7 +88,8 @@ void setLane(SoftBlock<T>& block, int lane, const PileContact& contact, Real dur
   put(duration * contact.rub, block.tangent[0], lane);
   block.friction.x[lane] = static_cast<T>(contact.friction);
   block.restitution.x[lane] = static_cast<T>(contact.restitution);
-  block.twist.x[lane] = static_cast<T>(duration * contact.twist);
+  const bool mayTwist = contact.count > 1;  // where a face became a corner nothing is left to twist
+  block.twist.x[lane] = mayTwist ? static_cast<T>(duration * contact.twist) : T(0);
   for (int i = 0; i < block.points; ++i) {
     PointRows<T>& point = block.point[i];
     const bool used = i < contact.count;

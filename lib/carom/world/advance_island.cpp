@@ -354,24 +354,20 @@ std::int64_t workDone(const Counters& counters) {
          kSearch * counters.firstContacts + kImpact * counters.impacts;
 }
 
-}  // namespace
-
-IslandRun advanceIsland(WorldState& state, Index index, Real start, Real end) {
-  IslandRun run;
+// Looks whether an island that changes is a pile in this step; its manifolds are there after that.
+bool beginIsland(WorldState& state, Index index, Real start, Real end) {
   IslandSlot& island = state.islands[at(index)];
-  if (island.still) {
-    ++state.counters.islandsStill;
-    return run;
-  }
   // Pairs of an island that was still until now have no manifold of this step yet.
   for (const Index pair : island.pairs) makeManifold(state, pair, start, end - start);
-  run.isPile = island.isPile = isPile(state, island);
-  if (run.isPile) {
-    island.pileFor = std::max(0, island.pileFor - 1);
-    advancePile(state, index, start, end);
-    for (const Index body : island.bodies) moveBody(state, body, end, true);
-    return run;
-  }
+  island.isPile = isPile(state, island);
+  if (island.isPile) island.pileFor = std::max(0, island.pileFor - 1);
+  return island.isPile;
+}
+
+// Steps an island that is no pile.
+IslandRun advanceUsual(WorldState& state, Index index, Real start, Real end) {
+  IslandRun run;
+  IslandSlot& island = state.islands[at(index)];
   // What a pile carries along is not good enough here.
   for (const Index pair : island.pairs) {
     if (state.pairs[at(pair)].carried) remakeManifold(state, pair, start, end - start);
@@ -419,6 +415,33 @@ IslandRun advanceIsland(WorldState& state, Index index, Real start, Real end) {
   holdMiddles(state, island.bodies, island.pairs, {start, end}, run.byEvents);
   island.still = isWatched && state.impacts.size() == impacts && isAsRemembered(state, island);
   return run;
+}
+
+}  // namespace
+
+IslandRun advanceIsland(WorldState& state, Index index, Real start, Real end) {
+  if (state.islands[at(index)].still) {
+    ++state.counters.islandsStill;
+    return {};
+  }
+  if (!beginIsland(state, index, start, end)) return advanceUsual(state, index, start, end);
+  advancePiles(state, std::span(&index, 1), start, end);
+  return {.isPile = true};
+}
+
+void advanceIslands(WorldState& state, Real dt) {
+  std::vector<Index>& piles = state.pile.islands;
+  piles.clear();
+  for (const Index index : state.awakeIslands) {
+    if (state.islands[at(index)].still) {
+      ++state.counters.islandsStill;
+    } else if (beginIsland(state, index, 0, dt)) {
+      piles.push_back(index);
+    } else {
+      advanceUsual(state, index, 0, dt);
+    }
+  }
+  advancePiles(state, piles, 0, dt);
 }
 
 }  // namespace carom::world

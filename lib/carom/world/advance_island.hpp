@@ -35,4 +35,9 @@ struct IslandRun {
 /// \return how it went \ingroup world
 IslandRun advanceIsland(WorldState& state, Index island, Real start, Real end);
 
+/// Steps all islands that are awake; the piles among them go together.
+/// \param state of the world, manifolds made at the start of the step \param dt its length [s]
+/// \ingroup world
+void advanceIslands(WorldState& state, Real dt);
+
 }  // namespace carom::world

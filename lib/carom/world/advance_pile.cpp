@@ -13,13 +13,33 @@ namespace {
 // Fewer bodies or contacts than this are not worth a second thread.
 constexpr std::size_t kFew = 64;
 
-// Bodies get numbers, those that contacts can move first; pairs with points become edges.
-void number(WorldState& state, const IslandSlot& island) {
-  Pile& pile = state.pile;
-  pile.members.assign(island.bodies.begin(), island.bodies.end());
-  for (std::size_t i = 0; i < pile.members.size(); ++i) {
-    state.bodies[at(pile.members[i])].local = static_cast<Index>(i);
+// What the events of a step have left is a force over whatever time was left of it: it may be
+// thousands of times what a whole step needs, and threw bodies out of a heap as if shot.
+void dropForcesOfEvents(WorldState& state, const IslandSlot& island) {
+  for (const Index index : island.pairs) {
+    PairSlot& pair = state.pairs[at(index)];
+    if (pair.bySoftSteps) continue;
+    pair.force = {};
+    pair.rub = Vector3::Zero();
+    pair.twist = 0;
   }
+}
+
+// Bodies get numbers, those that contacts can move first.
+void numberBodies(WorldState& state, std::span<const Index> islands) {
+  std::vector<Index>& members = state.pile.members;
+  members.clear();
+  for (const Index island : islands) {
+    for (const Index body : state.islands[at(island)].bodies) {
+      state.bodies[at(body)].local = static_cast<Index>(members.size());
+      members.push_back(body);
+    }
+  }
+}
+
+// Pairs with points become edges; what they touch and cannot move gets a number as well.
+void numberContacts(WorldState& state, std::span<const Index> islands) {
+  Pile& pile = state.pile;
   pile.pairs.clear();
   pile.edges.clear();
   pile.counts.clear();
@@ -33,19 +53,14 @@ void number(WorldState& state, const IslandSlot& island) {
     }
     return body.local;
   };
-  for (const Index index : island.pairs) {
-    PairSlot& pair = state.pairs[at(index)];
-    // What the events of a step have left is a force over whatever time was left of it: it may be
-    // thousands of times what a whole step needs, and threw bodies out of a heap as if shot.
-    if (!pair.bySoftSteps) {
-      pair.force = {};
-      pair.rub = Vector3::Zero();
-      pair.twist = 0;
+  for (const Index island : islands) {
+    for (const Index index : state.islands[at(island)].pairs) {
+      const PairSlot& pair = state.pairs[at(index)];
+      if (pair.manifold.count == 0) continue;
+      pile.pairs.push_back(index);
+      pile.edges.push_back({numberOf(pair.bodyA), numberOf(pair.bodyB)});
+      pile.counts.push_back(static_cast<std::uint8_t>(pair.manifold.count));
     }
-    if (pair.manifold.count == 0) continue;
-    pile.pairs.push_back(index);
-    pile.edges.push_back({numberOf(pair.bodyA), numberOf(pair.bodyB)});
-    pile.counts.push_back(static_cast<std::uint8_t>(pair.manifold.count));
   }
 }
 
@@ -114,9 +129,9 @@ void storeForces(WorldState& state, std::size_t place, Real duration) {
 
 // Whether most of what touches carries nothing yet: it was put there, or has just come to lie. A
 // load then has to find its way through the whole pile, which takes more visits.
-bool isNew(const WorldState& state) {
+bool isNew(const WorldState& state, const IslandSlot& island) {
   std::size_t touching = 0, carrying = 0;
-  for (const Index index : state.pile.pairs) {
+  for (const Index index : island.pairs) {
     const PairSlot& pair = state.pairs[at(index)];
     for (int i = 0; i < pair.manifold.count; ++i) {
       if (!isClosed(state, pair, i)) continue;
@@ -127,41 +142,11 @@ bool isNew(const WorldState& state) {
   return 2 * carrying < touching;
 }
 
-}  // namespace
-
-void advancePile(WorldState& state, Index index, Real start, Real until) {
-  const Real dt = until - start;
-  Pile& pile = state.pile;
-  IslandSlot& island = state.islands[at(index)];
-  number(state, island);
-  constexpr int kNewFor = 12, kRelaxations = 20;
-  if (isNew(state)) island.newFor = kNewFor;
-  const SoftSettings settings{.shortSteps = state.settings.shortSteps,
-                              .relaxations = island.newFor > 0 ? kRelaxations : 1,
-                              .slowestBounce = state.settings.gravity.norm() * dt,
-                              .width = state.settings.rowWidth};
-  const Real duration = dt / settings.shortSteps;
-  KeptThreads& threads = threadsOf(pile, state.settings.threads);
-  island.newFor = std::max(0, island.newFor - 1);
-  pile.steps.begin(pile.members.size(), island.bodies.size(), RowNumbers::floats);
-  threads.loop(pile.members.size(), kFew, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) describeBody(state, i, dt, settings.shortSteps);
-  });
-  pile.steps.place(pile.edges, pile.counts);
-  threads.loop(pile.steps.places(), kFew, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) describeContact(state, i, duration);
-  });
-  const SoftCounts counts = pile.steps.run(settings, dt, threads);
-  state.counters.pileBodies += static_cast<std::int64_t>(island.bodies.size());
-  state.counters.pileContacts += static_cast<std::int64_t>(pile.pairs.size());
-  state.counters.pileColors = std::max<std::int64_t>(state.counters.pileColors, counts.colors);
-  state.counters.rowsSolved += counts.rows;
-  threads.loop(pile.steps.places(), kFew, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) storeForces(state, i, duration);
-  });
-  // What no contact has moved is left to the closed form; anchors are shared, so that comes after.
-  for (std::size_t i = 0; i < island.bodies.size(); ++i) {
-    BodySlot& body = state.bodies[at(island.bodies[i])];
+// What no contact has moved is left to the closed form.
+void noteFree(WorldState& state, std::size_t movable) {
+  const Pile& pile = state.pile;
+  for (std::size_t i = 0; i < movable; ++i) {
+    BodySlot& body = state.bodies[at(pile.members[i])];
     body.byEnd = false;
     body.isFree = !pile.steps.body(i).touched;
     if (!body.isFree) {
@@ -171,24 +156,78 @@ void advancePile(WorldState& state, Index index, Real start, Real until) {
     body.acceleration = freeAcceleration(state, body);
     body.turning = Vector3::Zero();
   }
-  threads.loop(island.bodies.size(), kFew, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      BodySlot& body = state.bodies[at(island.bodies[i])];
-      if (body.isFree) continue;
-      const SoftMotion motion = pile.steps.body(i);
-      const bool isFast = needsEnergyKept(body, body.velocity.angular, dt);
-      const Matrix3 middle = isFast ? middleOf(body, dt) : Matrix3::Identity();
-      body.position += motion.way;
-      if (motion.turn != Vector3::Zero()) {
-        body.orientation = integrateOrientation(body.orientation, motion.turn, 1);
-      }
-      body.velocity = motion.velocity;
-      body.acceleration = body.turning = Vector3::Zero();
-      body.clock = until;
-      refreshPose(body);
-      if (isFast) keepTurningEnergy(body, middle);
-    }
-  });
+}
+
+void takeMotion(WorldState& state, std::size_t i, Real dt, Real until) {
+  const Pile& pile = state.pile;
+  BodySlot& body = state.bodies[at(pile.members[i])];
+  if (body.isFree) return;
+  const SoftMotion motion = pile.steps.body(i);
+  const bool isFast = needsEnergyKept(body, body.velocity.angular, dt);
+  const Matrix3 middle = isFast ? middleOf(body, dt) : Matrix3::Identity();
+  body.position += motion.way;
+  if (motion.turn != Vector3::Zero()) {
+    body.orientation = integrateOrientation(body.orientation, motion.turn, 1);
+  }
+  body.velocity = motion.velocity;
+  body.acceleration = body.turning = Vector3::Zero();
+  body.clock = until;
+  refreshPose(body);
+  if (isFast) keepTurningEnergy(body, middle);
+}
+
+// Islands that are solved with the same care go together: their contacts share blocks and loops.
+void advanceTogether(WorldState& state, std::span<const Index> islands, int relaxations, Real start,
+                     Real until) {
+  if (islands.empty()) return;
+  const Real dt = until - start;
+  Pile& pile = state.pile;
+  numberBodies(state, islands);
+  const std::size_t movable = pile.members.size();
+  numberContacts(state, islands);
+  const SoftSettings settings{.shortSteps = state.settings.shortSteps,
+                              .relaxations = relaxations,
+                              .slowestBounce = state.settings.gravity.norm() * dt,
+                              .width = state.settings.rowWidth};
+  const Real duration = dt / settings.shortSteps;
+  KeptThreads& threads = threadsOf(pile, state.settings.threads);
+  const auto each = [&](std::size_t count, auto&& work) {
+    threads.loop(count, kFew, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) work(i);
+    });
+  };
+  pile.steps.begin(pile.members.size(), movable, RowNumbers::floats);
+  each(pile.members.size(),
+       [&](std::size_t i) { describeBody(state, i, dt, settings.shortSteps); });
+  pile.steps.place(pile.edges, pile.counts);
+  each(pile.steps.places(), [&](std::size_t i) { describeContact(state, i, duration); });
+  const SoftCounts counts = pile.steps.run(settings, dt, threads);
+  state.counters.pileBodies += static_cast<std::int64_t>(movable);
+  state.counters.pileContacts += static_cast<std::int64_t>(pile.pairs.size());
+  state.counters.pileColors = std::max<std::int64_t>(state.counters.pileColors, counts.colors);
+  state.counters.rowsSolved += counts.rows;
+  each(pile.steps.places(), [&](std::size_t i) { storeForces(state, i, duration); });
+  noteFree(state, movable);  // anchors are shared, so that one thread does this
+  each(movable, [&](std::size_t i) { takeMotion(state, i, dt, until); });
+  for (std::size_t i = 0; i < movable; ++i) moveBody(state, pile.members[i], until, true);
+}
+
+}  // namespace
+
+void advancePiles(WorldState& state, std::span<const Index> islands, Real start, Real until) {
+  constexpr int kNewFor = 12, kRelaxations = 20;
+  Pile& pile = state.pile;
+  pile.fresh.clear();
+  pile.usual.clear();
+  for (const Index index : islands) {
+    IslandSlot& island = state.islands[at(index)];
+    dropForcesOfEvents(state, island);
+    if (isNew(state, island)) island.newFor = kNewFor;
+    (island.newFor > 0 ? pile.fresh : pile.usual).push_back(index);
+    island.newFor = std::max(0, island.newFor - 1);
+  }
+  advanceTogether(state, pile.fresh, kRelaxations, start, until);
+  advanceTogether(state, pile.usual, 1, start, until);
 }
 
 }  // namespace carom::world

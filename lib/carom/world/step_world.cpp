@@ -90,9 +90,7 @@ void stepWorld(WorldState& state, Real dt) {
   updateManifolds(state, dt);
   splitIslands(state);
   countBodies(state);
-  for (const Index island : state.awakeIslands) {
-    advanceIsland(state, island, 0, dt);
-  }
+  advanceIslands(state, dt);
   // Kinematic bodies last: islands ask where they are at any time.
   advanceFree(state, dt);
   reportContacts(state);

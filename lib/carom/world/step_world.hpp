@@ -5,7 +5,7 @@
 // | updatePairs       | where awake bodies can be      | pairs that began and ended              |
 // | updateManifolds   | poses, shapes, old manifolds   | manifolds, islands joined, bodies woken |
 // | splitIslands      | pairs that ended               | islands, in order                       |
-// | advanceIsland     | one island                     | its bodies at the end of the step       |
+// | advanceIslands    | islands that are awake         | their bodies at the end of the step     |
 // | advanceFree       | bodies that nothing is near    | their state at the end, exactly         |
 // | reportContacts    | manifolds                      | events                                  |
 // | sleepIslands      | how bodies have moved          | who is awake                            |

@@ -7,6 +7,7 @@
 #include "carom/core/errors.hpp"
 #include "scene_parts.hpp"
 #include "support/catch.hpp"
+#include "support/random_shapes.hpp"
 
 using namespace carom_test;
 
@@ -78,6 +79,47 @@ TEST_CASE("a pile goes on from a snapshot as it went on from there") {
   world.restore(snapshot);
   for (int i = 0; i < 30; ++i) world.step(kStep);
   CHECK(world.hash() == hash);
+}
+
+TEST_CASE("piles are stepped together, and each goes as if it were alone to the last bit") {
+  // They tumble over corners and edges onto faces and off them again, so that the contacts of a
+  // block have one point to four.
+  constexpr int kPairs = 20;
+  const auto add = [](World& world, int pair) {
+    Random random(static_cast<std::uint64_t>(pair));
+    std::vector<BodyId> boxes;
+    for (int i = 0; i < 2; ++i) {
+      Thing thing{.position = {0.3 * i, 8.0 * pair, 1 + 1.1 * i}, .friction = 0.5};
+      thing.angularVelocity = random.vector(3);
+      thing.velocity = random.vector(1);
+      boxes.push_back(addBox(world, {0.5, 0.4, 0.3}, thing));
+    }
+    return boxes;
+  };
+  WorldSettings settings = awake();
+  settings.pileContacts = settings.pileBodies = 0;
+  World together(settings);
+  addPlane(together, 0.5, 0);
+  std::vector<std::vector<BodyId>> all;
+  for (int pair = 0; pair < kPairs; ++pair) all.push_back(add(together, pair));
+  std::int64_t most = 0;
+  for (int i = 0; i < 120; ++i) {
+    together.step(kStep);
+    most = std::max(most, together.counters().pileBodies);
+  }
+  CHECK(most > kPairs);
+  for (int pair = 0; pair < kPairs; ++pair) {
+    World alone(settings);
+    addPlane(alone, 0.5, 0);
+    const std::vector<BodyId> own = add(alone, pair);
+    run(alone, 120);
+    for (std::size_t i = 0; i < own.size(); ++i) {
+      INFO("pair " << pair << ", box " << i);
+      CHECK(alone.centre(own[i]) == together.centre(all[static_cast<std::size_t>(pair)][i]));
+      CHECK(alone.angularVelocity(own[i]) ==
+            together.angularVelocity(all[static_cast<std::size_t>(pair)][i]));
+    }
+  }
 }
 
 TEST_CASE("small islands are no piles") {
