@@ -14,7 +14,7 @@ constexpr Real kLastCell = 0x1p52;       // beyond it, neighbours have one numbe
 
 // Only for coordinates of boxes that were entered, which are below kLastCell cells.
 std::int64_t PairGrid::numberOf(Real coordinate) const {
-  const Real place = coordinate / cell_;
+  const Real place = coordinate * perCell_;
   const auto whole = static_cast<std::int64_t>(place);  // towards zero
   return whole - (place < static_cast<Real>(whole) ? 1 : 0);
 }
@@ -34,18 +34,21 @@ void PairGrid::chooseCell() {
     const Real edge = (box.high - box.low).maxCoeff();
     if (std::isfinite(edge) && edge > 0) edges_.push_back(edge);
   }
-  cell_ = 1;
+  cell_ = perCell_ = 1;
   if (edges_.empty()) return;
   const auto middle = edges_.begin() + static_cast<std::ptrdiff_t>(edges_.size() / 2);
   std::nth_element(edges_.begin(), middle, edges_.end());
   cell_ = std::clamp(1.5 * *middle, Real(1e-300), Real(1e300));
+  perCell_ = 1 / cell_;
 }
 
 bool PairGrid::isBig(const Aabb<3>& box) const {
   std::int64_t cells = 1;
   for (int k = 0; k < 3; ++k) {
     // Also where a side is infinite.
-    if (!(box.low(k) / cell_ >= -kLastCell) || !(box.high(k) / cell_ <= kLastCell)) return true;
+    if (!(box.low(k) * perCell_ >= -kLastCell) || !(box.high(k) * perCell_ <= kLastCell)) {
+      return true;
+    }
     const std::int64_t along = numberOf(box.high(k)) - numberOf(box.low(k)) + 1;
     if (along > kMostCells) return true;
     cells *= along;

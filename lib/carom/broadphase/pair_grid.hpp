@@ -65,7 +65,7 @@ class PairGrid {
   std::vector<bool> isBig_;
   std::array<std::int64_t, 3> base_ = {};  // the lowest cell of the scene
   std::array<int, 3> bits_ = {};           // how many bits of a key an axis has
-  Real cell_ = 1;
+  Real cell_ = 1, perCell_ = 1;
 };
 
 template <class Visit>

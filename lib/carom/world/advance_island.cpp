@@ -45,7 +45,7 @@ void pairsOfSet(WorldState& state, Index island) {
     }
   }
   std::sort(work.setPairs.begin(), work.setPairs.end(),
-            [&](Index p, Index q) { return orderOf(state, p) < orderOf(state, q); });
+            [&](Index p, Index q) { return state.pairs[at(p)].order < state.pairs[at(q)].order; });
   work.setPairs.erase(std::unique(work.setPairs.begin(), work.setPairs.end()), work.setPairs.end());
 }
 

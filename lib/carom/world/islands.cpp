@@ -99,10 +99,10 @@ void join(WorldState& state, Index from, Index to) {
 
 void sortIsland(WorldState& state, IslandSlot& island) {
   std::sort(island.bodies.begin(), island.bodies.end());
-  // The orders first: each is asked for a dozen times.
+  // The orders first: each is asked for a dozen times, and pairs are far apart in memory.
   std::vector<OrderedPair>& sorted = state.work.sorted;
   sorted.clear();
-  for (const Index pair : island.pairs) sorted.push_back({orderOf(state, pair), pair});
+  for (const Index pair : island.pairs) sorted.push_back({state.pairs[at(pair)].order, pair});
   std::sort(sorted.begin(), sorted.end(),
             [](const OrderedPair& a, const OrderedPair& b) { return a.order < b.order; });
   for (std::size_t i = 0; i < sorted.size(); ++i) {
@@ -174,11 +174,17 @@ void split(WorldState& state, Index index) {
 
 }  // namespace
 
-IndexPair orderOf(const WorldState& state, Index pair) {
-  const PairSlot& slot = state.pairs[at(pair)];
-  if (isDynamic(state.bodies[at(slot.bodyA)])) return pairOf(slot.shapeA, slot.shapeB);
-  // Before all pairs of the shape that moves.
-  return {slot.shapeB, slot.shapeA - std::numeric_limits<Index>::max()};
+std::uint64_t orderOf(const WorldState& state, const PairSlot& pair) {
+  const auto joined = [](Index first, std::uint32_t second) {
+    return static_cast<std::uint64_t>(first) << 32 | second;
+  };
+  // What cannot be moved comes before all that can, and after the shape that does.
+  if (!isDynamic(state.bodies[at(pair.bodyA)])) {
+    return joined(pair.shapeB, static_cast<std::uint32_t>(pair.shapeA));
+  }
+  constexpr std::uint32_t kMoves = 1u << 31;
+  const IndexPair shapes = pairOf(pair.shapeA, pair.shapeB);
+  return joined(shapes.first, kMoves | static_cast<std::uint32_t>(shapes.second));
 }
 
 void joinByPair(WorldState& state, Index pair) {

@@ -17,9 +17,10 @@
 namespace carom::world {
 
 /// The name by which pairs are put into order: it depends on the bodies of their island alone, and
-/// not on when the ground under them was added. \param state of the world \param pair any
-/// \return names compare as the pairs should \ingroup world
-IndexPair orderOf(const WorldState& state, Index pair);
+/// not on when the ground under them was added. \param state of the world \param pair whose shapes
+/// are known
+/// \return names compare as the pairs should, and never change \ingroup world
+std::uint64_t orderOf(const WorldState& state, const PairSlot& pair);
 
 /// Lets a pair hold its bodies together. \param state of the world \param pair that is not held yet
 /// \ingroup world

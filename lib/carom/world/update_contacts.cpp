@@ -17,14 +17,18 @@ namespace carom::world {
 
 namespace {
 
-// How far a point of a body can go in a time, in any direction: by its speed, by what acts on it,
-// and by its turning.
-Real wayOf(const WorldState& state, const BodySlot& body, Real duration, bool isBall) {
-  if (body.asleep || body.kind == BodyKind::immovable) return 0;
-  const Real straight = body.velocity.linear.norm() * duration +
-                        freeAcceleration(state, body).norm() * duration * duration / 2;
-  const Real round = body.velocity.angular.norm() * duration;
-  return straight + (isBall ? 0 : body.reach * std::min(round, Real(2)));
+// How far the points of a body can go in a time, in any direction: by its speed and by what acts on
+// it, and by its turning.
+struct Ways {
+  Real straight = 0, round = 0;  // [m]
+};
+
+Ways waysOf(const WorldState& state, const BodySlot& body, Real duration) {
+  if (body.asleep || body.kind == BodyKind::immovable) return {};
+  const Real turn = body.velocity.angular.norm() * duration;
+  return {body.velocity.linear.norm() * duration +
+              freeAcceleration(state, body).norm() * duration * duration / 2,
+          body.reach * std::min(turn, Real(2))};
 }
 
 void beginPair(WorldState& state, Index index, const IndexPair& shapes) {
@@ -50,6 +54,7 @@ void beginPair(WorldState& state, Index index, const IndexPair& shapes) {
   }
   pair.bodyA = a->body;
   pair.bodyB = b->body;
+  pair.order = orderOf(state, pair);
   const Real frictions = a->material.friction * b->material.friction;
   if (state.settings.friction) pair.friction = std::sqrt(frictions);
   if (state.settings.restitution) {
@@ -101,11 +106,14 @@ Aabb<3> boundsOfShape(const ShapeSlot& shape, const Pose& pose) {
 }
 
 void moveBoxes(WorldState& state, Index index, Real dt) {
-  const BodySlot& body = state.bodies[at(index)];
+  BodySlot& body = state.bodies[at(index)];
+  const Ways ways = waysOf(state, body, dt);
+  body.straight = ways.straight;
+  body.round = ways.round;
   for (const Index shapeIndex : body.shapes) {
     ShapeSlot& shape = state.shapes[at(shapeIndex)];
-    const bool turnsInPlace = isCentredBall(shape);
-    const Real way = std::max(wayOf(state, body, dt, turnsInPlace), body.struck);
+    const Real round = isCentredBall(shape) ? 0 : ways.round;
+    const Real way = std::max(ways.straight + round, body.struck);
     const Vector3 room =
         Vector3::Constant(way + state.settings.touchTolerance + state.settings.restTolerance);
     shape.swept = boundsOfShape(shape, poseOfShape(body, shape));
@@ -180,6 +188,7 @@ bool isKept(const WorldState& state, const PairSlot& pair) {
 
 // What a pair gives room to. Bodies that got some are listed.
 void makeRoomIn(WorldState& state, const PairSlot& pair, Real dt) {
+  if (pair.island != kNone && state.islands[at(pair.island)].isPile) return;
   if (isKept(state, pair)) return;
   if (!meets(state.shapes[at(pair.shapeA)].swept, state.shapes[at(pair.shapeB)].swept)) return;
   std::vector<Index>& struck = state.work.set;
@@ -245,12 +254,12 @@ namespace {
 // manifold is made anew: a millimetre, which is the overlap that a pile leaves alone.
 constexpr Real kKeptWay = 0.1;
 
-// How far apart a pair's points are of interest.
-Real marginOf(const WorldState& state, const PairSlot& pair, Real rest) {
-  const ShapeSlot &a = state.shapes[at(pair.shapeA)], &b = state.shapes[at(pair.shapeB)];
-  return state.settings.contactMargin +
-         wayOf(state, state.bodies[at(pair.bodyA)], rest, isCentredBall(a)) +
-         wayOf(state, state.bodies[at(pair.bodyB)], rest, isCentredBall(b));
+// How far apart a pair's points are of interest, by how far its two bodies can go.
+Real marginOf(const WorldState& state, const PairSlot& pair, const Ways& a, const Ways& b) {
+  const auto way = [&](const Ways& ways, Index shape) {
+    return ways.straight + (isCentredBall(state.shapes[at(shape)]) ? 0 : ways.round);
+  };
+  return state.settings.contactMargin + way(a, pair.shapeA) + way(b, pair.shapeB);
 }
 
 // Whether a pair's manifold comes from a search for separating axes.
@@ -306,12 +315,14 @@ void countManifold(WorldState& state, const PairSlot& pair) {
 }
 
 // The manifold at the start of a step: made, or, within a pile, carried along.
-void startManifold(WorldState& state, Index index, Real dt) {
+void startManifold(WorldState& state, Index index) {
   PairSlot& pair = state.pairs[at(index)];
   const BodySlot &bodyA = state.bodies[at(pair.bodyA)], &bodyB = state.bodies[at(pair.bodyB)];
   const Pose A = poseOfShape(bodyA, state.shapes[at(pair.shapeA)]);
   const Pose B = poseOfShape(bodyB, state.shapes[at(pair.shapeB)]);
-  const Real margin = marginOf(state, pair, dt);
+  // Boxes were made by the same ways.
+  const Real margin =
+      marginOf(state, pair, {bodyA.straight, bodyA.round}, {bodyB.straight, bodyB.round});
   pair.madeAt = 0;
   KeptManifold& kept = state.kept[at(index)];
   const bool isSoft = pair.island != kNone && state.islands[at(pair.island)].isPile;
@@ -350,7 +361,9 @@ void makeManifold(WorldState& state, Index index, Real time, Real rest) {
     return poseOfShape(bodyAt(state, number, time), shape);
   };
   const Pose A = poseNow(pair.bodyA, a), B = poseNow(pair.bodyB, b);
-  collidePair(state, pair, A, B, marginOf(state, pair, rest));
+  const Real margin = marginOf(state, pair, waysOf(state, state.bodies[at(pair.bodyA)], rest),
+                               waysOf(state, state.bodies[at(pair.bodyB)], rest));
+  collidePair(state, pair, A, B, margin);
   state.kept[at(index)].known = false;
   pair.madeAt = time;
   countManifold(state, pair);
@@ -370,8 +383,9 @@ Real touchGap(const WorldState& state, const PairSlot& pair) {
 
 bool isClosed(const WorldState& state, const PairSlot& pair, int point) {
   const Real separation = pair.manifold.points[at(point)].separation;
-  if (separation <= touchGap(state, pair)) return true;
-  return pair.force[at(point)] > 0 && separation <= state.settings.restTolerance;
+  if (separation <= 0) return true;
+  if (pair.force[at(point)] > 0 && separation <= state.settings.restTolerance) return true;
+  return separation <= touchGap(state, pair);
 }
 
 void updateManifolds(WorldState& state, Real dt) {
@@ -410,7 +424,7 @@ void updateManifolds(WorldState& state, Real dt) {
   constexpr std::size_t kFew = 16;  // are not worth a second thread
   threadsOf(state.pile, state.settings.threads)
       .loop(toMake.size(), kFew, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) startManifold(state, toMake[i], dt);
+        for (std::size_t i = begin; i < end; ++i) startManifold(state, toMake[i]);
       });
   for (const Index index : toMake) countManifold(state, state.pairs[at(index)]);
 }

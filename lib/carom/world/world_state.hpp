@@ -89,6 +89,8 @@ struct BodySlot {
   bool isFree = false;                ///< nothing touches it in this part of the step
   Real struck = 0;        ///< how far it may be thrown in this step by what strikes it [m]
   Real way = 0;           ///< how far its speed takes it in this step [m]
+  Real straight = 0;      ///< how far it and what acts on it takes each of its points [m]
+  Real round = 0;         ///< and how far its turning at most [m]
   bool byEnd = false;     ///< moves by its velocity at the end of the step
   bool kept = false;      ///< its island is still, and its boxes are those of the last step
   Index island = kNone;   ///< where it belongs; none: alone, or not dynamic
@@ -130,6 +132,7 @@ struct PairSlot {
   Index awakeAt = kNone;           ///< its place in the list of those awake
   Index island = kNone;            ///< that it holds together, or that of its movable body
   Index islandAt = kNone;          ///< its place in the island's list
+  std::uint64_t order = 0;         ///< the lists of islands rise with it
   bool touches = false;            ///< some point is closed, at the end of the last step
   bool sticks = false;             ///< friction held it in the last part of a step
   bool known = false;              ///< has been looked at in some step
@@ -201,8 +204,8 @@ struct SavedBody {
 
 /// A pair and its place in the order of an island. \ingroup world
 struct OrderedPair {
-  IndexPair order;     ///< see orderOf()
-  Index pair = kNone;  ///< which
+  std::uint64_t order = 0;  ///< of the pair
+  Index pair = kNone;       ///< which
 };
 
 /// Memory that stages use again in each step. \ingroup world
