@@ -38,7 +38,7 @@ struct WorldSettings {
   int iterations = 10;      ///< sweeps over the rows of an island, at least; positive
   int rowBudget = 100'000;  ///< sweeps go on until nothing changes or so many rows were visited
   int eventContacts = 64;   ///< islands with more closed contacts than this take no events
-  int pileContacts = 512;   ///< islands with more closed contacts than this are piles: soft steps
+  int pileContacts = 256;   ///< islands with more closed contacts than this are piles: soft steps
   int pileBodies = 300;     ///< so are islands of more bodies that do not bounce
   /// An island of eight bodies and more whose step took more than so many times what it would take
   /// as a pile is one for the next `pileSteps` steps, as long as something in it rubs and nothing
