@@ -20,13 +20,15 @@ namespace carom::world {
 
 namespace {
 
-int closedPoints(const WorldState& state, const IslandSlot& island) {
+// Whether more contacts of an island are closed than some number. Large islands are not gone through.
+bool hasMoreClosed(const WorldState& state, const IslandSlot& island, int most) {
   int closed = 0;
   for (const Index pair : island.pairs) {
     const PairSlot& slot = state.pairs[at(pair)];
     for (int i = 0; i < slot.manifold.count; ++i) closed += isClosed(state, slot, i) ? 1 : 0;
+    if (closed > most) return true;
   }
-  return closed;
+  return false;
 }
 
 // The pairs of this island that belong to a set of bodies, each once, in the order of their shapes.
@@ -316,7 +318,7 @@ bool mayBePile(const WorldState& state, const IslandSlot& island) {
     const PairSlot& pair = state.pairs[at(index)];
     return isRound(state.shapes[at(pair.shapeA)]) && isRound(state.shapes[at(pair.shapeB)]);
   });
-  const bool isHeap = closedPoints(state, island) > state.settings.eventContacts;
+  const bool isHeap = hasMoreClosed(state, island, state.settings.eventContacts);
   if (isOfBalls == isHeap) return isHeap;
   // Steps of free fall that make a speed that is not small, and the share of bodies that have it.
   const Real slow = isOfBalls ? 1 : 0.1, share = isOfBalls ? 0.5 : 0.1;
@@ -331,7 +333,7 @@ bool mayBePile(const WorldState& state, const IslandSlot& island) {
 // Whether an island is solved by soft steps: many contacts, so many bodies that plastic impacts
 // cannot be looked for one by one, or one of the last steps took too much.
 bool isPile(const WorldState& state, const IslandSlot& island) {
-  if (closedPoints(state, island) > state.settings.pileContacts) return true;
+  if (hasMoreClosed(state, island, state.settings.pileContacts)) return true;
   if (static_cast<int>(island.bodies.size()) > state.settings.pileBodies) {
     return !bounces(state, island);
   }
@@ -386,7 +388,7 @@ IslandRun advanceUsual(WorldState& state, Index index, Real start, Real end) {
   // An island whose contacts do not settle is not tried again in each step.
   constexpr int kHardFor = 60;
   run.byEvents = state.settings.locateEvents && island.hardFor == 0 &&
-                 closedPoints(state, island) <= state.settings.eventContacts;
+                 !hasMoreClosed(state, island, state.settings.eventContacts);
   island.hardFor = std::max(0, island.hardFor - 1);
   if (run.byEvents && !advanceByEvents(state, index, start, end, run.events)) {
     island.hardFor = kHardFor;

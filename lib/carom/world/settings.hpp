@@ -39,7 +39,9 @@ struct WorldSettings {
   int rowBudget = 100'000;  ///< sweeps go on until nothing changes or so many rows were visited
   int eventContacts = 64;   ///< islands with more closed contacts than this take no events
   int pileContacts = 256;   ///< islands with more closed contacts than this are piles: soft steps
-  int pileBodies = 300;     ///< so are islands of more bodies that do not bounce
+  /// So are islands of more bodies that do not bounce. With both zero islands go by soft steps as
+  /// soon as they touch: at an even cost, and to a millimetre.
+  int pileBodies = 300;
   /// An island of eight bodies and more whose step took more than so many times what it would take
   /// as a pile is one for the next `pileSteps` steps, as long as something in it rubs and nothing
   /// bounces: balls if it has more closed contacts than `eventContacts` or most are faster than a
