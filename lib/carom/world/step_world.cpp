@@ -22,10 +22,12 @@ void beginStep(WorldState& state, Real dt) {
     for (const Index island : state.awakeIslands) state.islands[at(island)].still = false;
   }
   state.lastStep = dt;
-  // What would be over within the shortest time.
-  const Real gravity = state.settings.gravity.norm();
-  state.slowestImpact = state.settings.shortestBounce * dt * gravity / 2 + 1e-12;
-  state.slowestBounce = state.slowestImpact;
+  // What would be over within the shortest time; or within the step, if nobody looks inside it: a
+  // body that bounced would fall on all through it, and deeper from step to step.
+  const WorldSettings& settings = state.settings;
+  const Real fall = dt * settings.gravity.norm() / 2;
+  state.slowestImpact = settings.shortestBounce * fall + 1e-12;
+  state.slowestBounce = settings.continuous ? state.slowestImpact : fall + 1e-12;
 }
 
 namespace {
