@@ -9,6 +9,7 @@
 #include "carom/detection/gap_sign.hpp"
 #include "carom/detection/limits.hpp"
 #include "carom/detection/planar_gjk.hpp"
+#include "carom/detection/rounded_distance.hpp"
 #include "carom/detection/separate_boxes.hpp"
 #include "carom/detection/separate_hulls.hpp"
 #include "carom/detection/support.hpp"
@@ -91,14 +92,17 @@ void decideSign(const SA& a, const Pose& A, const SB& b, const Pose& B, Separati
 }
 
 template <class SA, class SB>
-Separation ofConvex(const SA& a, const Pose& A, const SB& b, const Pose& B, SimplexCache* cache) {
+Separation ofConvex(const SA& a, const Pose& A, const SB& b, const Pose& B, SimplexCache* cache,
+                    bool decides) {
   if constexpr (std::is_same_v<SA, Ball>) {
     return ballAgainst(a, A, b, B);
   } else if constexpr (std::is_same_v<SB, Ball>) {
     return swapped(ballAgainst(b, B, a, A));
   } else {
     Separation result = detail::gjkOfCores(detail::coreOf(a), A, detail::coreOf(b), B, cache);
-    if constexpr (kIsPolyhedron<SA> && kIsPolyhedron<SB>) decideSign(a, A, b, B, result);
+    if constexpr (kIsPolyhedron<SA> && kIsPolyhedron<SB>) {
+      if (decides) decideSign(a, A, b, B, result);
+    }
     return result;
   }
 }
@@ -138,6 +142,7 @@ struct AnyPair {
   const Pose& A;
   const Pose& B;
   SimplexCache* cache;
+  bool decides = true;  // the sign of what touches
 
   Separation operator()(const HalfSpace& a, const HalfSpace& b) const {
     return halfSpaces(a, A, b, B);
@@ -146,18 +151,18 @@ struct AnyPair {
   Separation operator()(const SA& a, const SB& b) const {
     if constexpr (std::is_same_v<SA, Compound>) {
       return nearestPart(a, A, [&](const auto& part, const Pose& placed) {
-        return AnyPair{placed, B, nullptr}(part, b);
+        return AnyPair{placed, B, nullptr, decides}(part, b);
       });
     } else if constexpr (std::is_same_v<SB, Compound>) {
       return nearestPart(b, B, [&](const auto& part, const Pose& placed) {
-        return AnyPair{A, placed, nullptr}(a, part);
+        return AnyPair{A, placed, nullptr, decides}(a, part);
       });
     } else if constexpr (std::is_same_v<SA, HalfSpace>) {
       return halfSpaceAgainst(a, A, b, B);
     } else if constexpr (std::is_same_v<SB, HalfSpace>) {
       return swapped(halfSpaceAgainst(b, B, a, A));
     } else {
-      return ofConvex(a, A, b, B, cache);
+      return ofConvex(a, A, b, B, cache, decides);
     }
   }
 
@@ -258,6 +263,12 @@ Separation signedDistance(const Shape& a, const Pose& A, const Shape& b, const P
   requireFinitePose(A, "pose of A");
   requireFinitePose(B, "pose of B");
   return std::visit(AnyPair{A, B, cache}, a, b);
+}
+
+Separation roundedDistance(const Shape& a, const Pose& A, const Shape& b, const Pose& B) {
+  requireFinitePose(A, "pose of A");
+  requireFinitePose(B, "pose of B");
+  return std::visit(AnyPair{A, B, nullptr, false}, a, b);
 }
 
 PlanarSeparation signedDistance(const PlanarShape& a, const PlanarPose& A, const PlanarShape& b,

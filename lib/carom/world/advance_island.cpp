@@ -419,6 +419,22 @@ IslandRun advanceUsual(WorldState& state, Index index, Real start, Real end) {
   return run;
 }
 
+// Steps piles. Nobody follows their contacts, and who is pressed into a wall by others stays in
+// front of it by his middle.
+void advanceInRoom(WorldState& state, std::span<const Index> piles, Real start, Real end) {
+  Workspace& work = state.work;
+  work.set.clear();
+  work.setPairs.clear();
+  for (const Index index : piles) {
+    const IslandSlot& island = state.islands[at(index)];
+    work.set.insert(work.set.end(), island.bodies.begin(), island.bodies.end());
+    work.setPairs.insert(work.setPairs.end(), island.pairs.begin(), island.pairs.end());
+  }
+  rememberMiddles(state, work.set);
+  advancePiles(state, piles, start, end);
+  holdMiddles(state, work.set, work.setPairs, {start, end}, false);
+}
+
 }  // namespace
 
 IslandRun advanceIsland(WorldState& state, Index index, Real start, Real end) {
@@ -427,7 +443,7 @@ IslandRun advanceIsland(WorldState& state, Index index, Real start, Real end) {
     return {};
   }
   if (!beginIsland(state, index, start, end)) return advanceUsual(state, index, start, end);
-  advancePiles(state, std::span(&index, 1), start, end);
+  advanceInRoom(state, std::span(&index, 1), start, end);
   return {.isPile = true};
 }
 
@@ -443,7 +459,7 @@ void advanceIslands(WorldState& state, Real dt) {
       advanceUsual(state, index, 0, dt);
     }
   }
-  advancePiles(state, piles, 0, dt);
+  advanceInRoom(state, piles, 0, dt);
 }
 
 }  // namespace carom::world

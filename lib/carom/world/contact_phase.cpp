@@ -119,6 +119,13 @@ Real partingSpeed(const WorldState& state, const PairSlot& pair, int point) {
                                   a.velocity.linear - cross(a.velocity.angular, arms.armA));
 }
 
+bool isHeld(const WorldState& state, const PairSlot& pair) {
+  for (int i = 0; i < pair.manifold.count; ++i) {
+    if (isClosed(state, pair, i) && partingSpeed(state, pair, i) <= slowSpeed(state)) return true;
+  }
+  return false;
+}
+
 PatchPoint armsOf(const WorldState& state, const PairSlot& pair, int point) {
   const Vector3& where = pair.manifold.points[at(point)].position;
   PatchPoint arms;
@@ -372,6 +379,27 @@ bool takeCentres(WorldState& state) {
   return off;
 }
 
+// What is watched and not pushed turns by itself, and gets no energy by it, though its rate is only
+// nearly that of a body which turns freely.
+void keepEnergyOfTurn(BodySlot& body, Real duration, bool byMean) {
+  const Vector3 &before = body.velocity.angular, &after = body.atEnd.angular;
+  const Vector3 rate = byMean ? Vector3((before + after) / 2) : after;
+  const Matrix3 end = quaternionToMatrix(integrateOrientation(body.orientation, rate, duration));
+  const Real energy = turningEnergy(body, body.pose.R_WB, before);
+  const Real now = turningEnergy(body, end, after);
+  if (now > energy) body.atEnd.angular *= std::sqrt(energy / now);
+}
+
+// Flags the bodies that contacts push.
+void flagPushed(Workspace& work) {
+  std::fill(work.flags.begin(), work.flags.end(), 0);
+  for (const ContactBlock& block : work.blocks) {
+    bool pushes = block.rub != Vector3::Zero();
+    for (int i = 0; i < block.count; ++i) pushes = pushes || block.impulses[at(i)] != 0;
+    if (pushes) work.flags[at(block.bodyA)] = work.flags[at(block.bodyB)] = 1;
+  }
+}
+
 }  // namespace
 
 bool solvePhase(WorldState& state, const PhaseTask& task) {
@@ -430,11 +458,15 @@ bool solvePhase(WorldState& state, const PhaseTask& task) {
   // holds it. Where such points are no events this makes energy, and the end alone counts.
   const bool byEnd = task.speculative && workOf(state) > 0;
 
+  if (task.speculative) flagPushed(work);
   for (std::size_t i = 0; i < task.bodies.size(); ++i) {
     BodySlot& body = state.bodies[at(task.bodies[i])];
     if (body.isFree) continue;
     body.byEnd = byEnd;
     body.atEnd = work.moving[i].velocity;
+    if (task.speculative && work.flags[i] == 0 && nutates(state, body)) {
+      keepEnergyOfTurn(body, duration, state.settings.trapezoidal && !byEnd);
+    }
     body.acceleration = (body.atEnd.linear - body.velocity.linear) / duration;
     body.turning = (body.atEnd.angular - body.velocity.angular) / duration;
   }

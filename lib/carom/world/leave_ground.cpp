@@ -102,23 +102,43 @@ namespace {
 
 enum class Touch { none, holds, strikes };
 
+struct Touched {
+  Touch touch = Touch::none;
+  Real depth = 0;  // of what strikes [m]
+};
+
 // How a body is held by a piece of ground at a time of this step.
-Touch touchAt(WorldState& state, const PairSlot& pair, const Pose& pose, Real time) {
+Touched touchAt(WorldState& state, const PairSlot& pair, const Pose& pose, Real time) {
   const ShapeSlot &a = state.shapes[at(pair.shapeA)], &b = state.shapes[at(pair.shapeB)];
   const BodyState then = bodyAt(state, pair.bodyB, time);
   const Real gap = touchGap(state, pair);
   const Manifold manifold =
       collideGround(*a.data->ground, a.item, pose, b.data->convex, poseOfShape(then, b), gap);
-  Touch touch = Touch::none;
+  Touched found;
   for (int i = 0; i < manifold.count; ++i) {
     const ManifoldPoint& point = manifold.points[at(i)];
     if (point.separation > gap) continue;
     const Vector3 speed = then.velocity.linear +
                           cross(then.velocity.angular, Vector3(point.position - then.position));
-    if (manifold.normal.dot(speed) < -slowSpeed(state)) return Touch::strikes;
-    touch = Touch::holds;
+    if (manifold.normal.dot(speed) < -slowSpeed(state)) return {Touch::strikes, -point.separation};
+    found.touch = Touch::holds;
   }
-  return touch;
+  return found;
+}
+
+// The time of a strike that has been seen at `high` and not yet at `low`: not so late that the body
+// lies in the ground by then.
+Real strikeBetween(WorldState& state, const PairSlot& pair, const Pose& pose, Real low, Real high) {
+  constexpr int kHalvings = 40;
+  Real depth = touchAt(state, pair, pose, high).depth;
+  for (int i = 0; i < kHalvings && depth > 2 * touchGap(state, pair); ++i) {
+    const Real middle = (low + high) / 2;
+    const Touched found = touchAt(state, pair, pose, middle);
+    const bool strikes = found.touch == Touch::strikes;
+    (strikes ? high : low) = middle;
+    if (strikes) depth = found.depth;
+  }
+  return high;
 }
 
 // The way that any point of a body can go in a time.
@@ -142,8 +162,10 @@ Real partOfTurn(const BodyState& now, Real duration) {
 // A body that touches and turns fast may come down with what is not in the manifold.
 Real searchTurned(WorldState& state, const PairSlot& pair, const Pose& pose, Real time, Real end) {
   const Real part = partOfTurn(bodyAt(state, pair.bodyB, time), end - time);
+  const bool held = isHeld(state, pair);
   for (Real later = time + part; later < end; later += part) {
-    if (touchAt(state, pair, pose, later) == Touch::strikes) return later;
+    if (touchAt(state, pair, pose, later).touch != Touch::strikes) continue;
+    return held ? later : strikeBetween(state, pair, pose, later - part, later);
   }
   return kNever;
 }
@@ -184,8 +206,8 @@ Real searchStrike(WorldState& state, const PairSlot& pair, const Pose& pose, Rea
       from = from + steady < end ? from + steady : end;
       continue;
     }
-    const Touch touch = touchAt(state, pair, pose, from + hit.time);
-    if (touch == Touch::strikes) return from + hit.time;
+    const Touch touch = touchAt(state, pair, pose, from + hit.time).touch;
+    if (touch == Touch::strikes) return strikeBetween(state, pair, pose, from, from + hit.time);
     if (touch == Touch::holds) return kNever;
     // A body that tumbles is not quite where the search has taken it: look again from there.
     const bool again = hit.status == ImpactStatus::kHit && hit.time > 0;

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "carom/core/cross.hpp"
-#include "carom/detection/signed_distance.hpp"
+#include "carom/detection/rounded_distance.hpp"
 #include "carom/manifold/contact_ids.hpp"
 #include "carom/toi/first_contact.hpp"
 #include "carom/toi/swept_ball_plane.hpp"
@@ -88,34 +88,94 @@ TimeOfImpact searchFirst(const ShapeSlot& a, const Sweep& A, const ShapeSlot& b,
   return firstContact(a.data->whole, A, b.data->whole, B, duration);
 }
 
+// How far the bodies of a pair turn in a time at most; what is a ball does not count [rad].
+Real turnOf(const WorldState& state, const PairSlot& pair, Real duration) {
+  const auto rateOf = [&](Index index, Index shape) {
+    const BodySlot& body = state.bodies[at(index)];
+    if (isCentredBall(state.shapes[at(shape)])) return Real(0);
+    return body.velocity.angular.norm() + duration * body.turning.norm();
+  };
+  return duration * std::max(rateOf(pair.bodyA, pair.shapeA), rateOf(pair.bodyB, pair.shapeB));
+}
+
+// How a pair lies at a time, wherever its bodies have turned.
+struct Nearness {
+  Real separation = 0;  // [m]
+  bool approach = false;
+};
+
+Nearness nearnessAt(WorldState& state, const PairSlot& pair, Real time) {
+  const ShapeSlot &a = state.shapes[at(pair.shapeA)], &b = state.shapes[at(pair.shapeB)];
+  const BodyState A = bodyAt(state, pair.bodyA, time), B = bodyAt(state, pair.bodyB, time);
+  const Separation found =
+      roundedDistance(a.data->whole, poseOfShape(A, a), b.data->whole, poseOfShape(B, b));
+  const Vector3 point = (found.pointA + found.pointB) / 2;
+  const Vector3 speed = B.velocity.linear + cross(B.velocity.angular, Vector3(point - B.position)) -
+                        A.velocity.linear - cross(A.velocity.angular, Vector3(point - A.position));
+  return {found.separation, found.normal.dot(speed) < -slowSpeed(state)};
+}
+
+int partsOf(Real turn) {
+  constexpr int kMostParts = 64;
+  return static_cast<int>(std::clamp(std::ceil(turn / kFastTurn), Real(1), Real(kMostParts)));
+}
+
 // A body that touches and turns far may come down with what is not in the manifold: it is looked at
 // a few times until `end`. Returns when, or `end` if that is the next event, or never if it is the
 // end of the step.
 Real nextOfTurned(WorldState& state, const PairSlot& pair, Real time, Real end, Real endOfStep) {
-  constexpr int kMostParts = 64;
   const Real otherwise = end < endOfStep ? end : kNever;
-  const ShapeSlot &a = state.shapes[at(pair.shapeA)], &b = state.shapes[at(pair.shapeB)];
-  const auto rateOf = [&](const BodySlot& body, const ShapeSlot& shape) {
-    if (isCentredBall(shape)) return Real(0);
-    return body.velocity.angular.norm() + (end - time) * body.turning.norm();
-  };
-  const Real turn = (end - time) * std::max(rateOf(state.bodies[at(pair.bodyA)], a),
-                                            rateOf(state.bodies[at(pair.bodyB)], b));
+  const Real turn = turnOf(state, pair, end - time);
   if (!(turn > kFastTurn)) return otherwise;
-  const int parts = static_cast<int>(std::min(Real(kMostParts), std::ceil(turn / kFastTurn)));
+  const int parts = partsOf(turn);
   for (int part = 1; part < parts; ++part) {
     const Real later = time + (end - time) * part / parts;
-    const BodyState A = bodyAt(state, pair.bodyA, later), B = bodyAt(state, pair.bodyB, later);
-    const Separation found =
-        signedDistance(a.data->whole, poseOfShape(A, a), b.data->whole, poseOfShape(B, b));
-    if (found.separation >= -state.settings.restTolerance) continue;
-    const Vector3 point = (found.pointA + found.pointB) / 2;
-    const Vector3 speed =
-        B.velocity.linear + cross(B.velocity.angular, Vector3(point - B.position)) -
-        A.velocity.linear - cross(A.velocity.angular, Vector3(point - A.position));
-    if (found.normal.dot(speed) < -slowSpeed(state)) return later;
+    const Nearness found = nearnessAt(state, pair, later);
+    if (found.separation < -state.settings.restTolerance && found.approach) return later;
   }
   return otherwise;
+}
+
+// When a pair that nothing holds comes to overlap until `end`, wherever its bodies turn, deeper than
+// it does already; never, if it does not. A cylinder that has bounced on its rim comes down with the other rim; and a search takes
+// spins to be even, which those of bodies that tumble are not. Found too late, they would lie in
+// each other and be lifted out with energy from nothing.
+Real firstOverlap(WorldState& state, const PairSlot& pair, Real time, Real end) {
+  const Real tolerance = state.settings.touchTolerance;
+  Real level = -tolerance;
+  const auto isIn = [&](const Nearness& found) {
+    return found.separation < level && found.approach;
+  };
+  const int parts = partsOf(turnOf(state, pair, end - time));
+  Real low = time;
+  for (int part = 1; part <= parts; ++part) {
+    Real high = part == parts ? end : time + (end - time) * part / parts;
+    Nearness there = nearnessAt(state, pair, high);
+    if (isIn(there) && low == time) {
+      // What lies in the other at the start and parts may seem to approach elsewhere on its face.
+      const Nearness start = nearnessAt(state, pair, time);
+      if (isIn(start)) level = start.separation - tolerance;
+    }
+    if (!isIn(there)) {
+      low = high;
+      continue;
+    }
+    // As deep as that it is beyond what rounding makes, and an impact that is there to be acted on.
+    constexpr int kHalvings = 40;
+    for (int i = 0; i < kHalvings && there.separation < level - tolerance; ++i) {
+      const Real middle = (low + high) / 2;
+      const Nearness found = nearnessAt(state, pair, middle);
+      (isIn(found) ? high : low) = middle;
+      if (high == middle) there = found;
+    }
+    return high;
+  }
+  return kNever;
+}
+
+bool tumbles(const WorldState& state, const PairSlot& pair) {
+  return nutates(state, state.bodies[at(pair.bodyA)]) ||
+         nutates(state, state.bodies[at(pair.bodyB)]);
 }
 
 }  // namespace
@@ -130,7 +190,9 @@ Real nextContact(WorldState& state, Index index, Real time, Real end) {
   }
   const auto nextOfTouch = [&] {
     const Real after = nextOfPoints(state, pair);
-    return nextOfTurned(state, pair, time, after < duration ? time + after : end, end);
+    const Real next = after < duration ? time + after : end;
+    if (isHeld(state, pair)) return nextOfTurned(state, pair, time, next, end);
+    return std::min(firstOverlap(state, pair, time, next), after < duration ? next : kNever);
   };
   if (pair.madeAt == time) {
     bool closed = false;
@@ -161,13 +223,14 @@ Real nextContact(WorldState& state, Index index, Real time, Real end) {
   ++state.counters.firstContacts;
   const TimeOfImpact hit =
       searchFirst(a, sweepOf(bodyA, nowA, a), b, sweepOf(bodyB, nowB, b), duration);
-  if (hit.status == ImpactStatus::kNoHit) return kNever;
-  if (pair.madeAt == time && time + hit.time == time) {
+  const Real next = hit.status == ImpactStatus::kNoHit ? kNever : time + hit.time;
+  if (pair.madeAt == time && next == time) {
     // The search finds a touch where the manifold has a little gap, which counts: it is what is
     // acted on. A touch that nobody acts on is found again and again.
     return nextOfTouch();
   }
-  return time + hit.time;
+  if (!tumbles(state, pair)) return next;
+  return std::min(next, firstOverlap(state, pair, time, std::min(next, end)));
 }
 
 }  // namespace carom::world

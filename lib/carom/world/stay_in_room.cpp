@@ -1,21 +1,35 @@
 #include "carom/world/stay_in_room.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "carom/core/cross.hpp"
 #include "carom/detection/signed_distance.hpp"
+#include "carom/toi/first_contact.hpp"
 #include "carom/world/collide_ground.hpp"
 #include "carom/world/move_body.hpp"
+#include "carom/world/next_contact.hpp"
 #include "carom/world/update_contacts.hpp"
 
 namespace carom::world {
 
 namespace {
 
-// Whether the shape may meet something on its way that cannot be moved and whose contact nobody has
+// Whether two shapes meet until `end`, the first of which is a dynamic body's at its own time.
+bool meetsOnWay(WorldState& state, const ShapeSlot& shape, const ShapeSlot& other, Real end) {
+  if (other.data->ground) return true;  // nobody looks at its triangles here
+  const BodySlot &body = state.bodies[at(shape.body)], &wall = state.bodies[at(other.body)];
+  const Sweep mine = sweepOf(body, bodyAt(state, shape.body, body.clock), shape);
+  const Sweep its = sweepOf(wall, bodyAt(state, other.body, body.clock), other);
+  const Real duration = end - body.clock;
+  return firstContact(other.data->whole, its, shape.data->whole, mine, duration).status !=
+         ImpactStatus::kNoHit;
+}
+
+// Whether the shape meets something on its way that cannot be moved and whose contact nobody has
 // looked for: they are no pair, or one whose boxes have not met in this step. The broad phase keeps
 // such pairs, and no island has them.
-bool meetsStranger(const WorldState& state, Index index, const Aabb<3>& way) {
+bool meetsStranger(WorldState& state, Index index, const Aabb<3>& way, Real end) {
   const ShapeSlot& shape = state.shapes[at(index)];
   const PairCache& pairs = state.broadPhase.pairs();
   bool found = false;
@@ -24,7 +38,8 @@ bool meetsStranger(const WorldState& state, Index index, const Aabb<3>& way) {
     if (found || !meets(state.shapes[at(other)].swept, way)) return;
     if (!mayMeet(state, index, other)) return;
     const Index pair = pairs.find(index, other);
-    found = pair == kNone || state.pairs[at(pair)].island == kNone;
+    const bool isStrange = pair == kNone || state.pairs[at(pair)].island == kNone;
+    found = isStrange && meetsOnWay(state, shape, state.shapes[at(other)], end);
   };
   if (holds(shape.swept, way)) return false;
   state.broadPhase.immovableTree().overlap(way, look);
@@ -62,7 +77,7 @@ void stayInRoom(WorldState& state, Index index, Real end) {
     box.high = box.high.cwiseMax(place + size);
   }
   bool mayPass = false;
-  for (const Index shape : body.shapes) mayPass = mayPass || meetsStranger(state, shape, box);
+  for (const Index shape : body.shapes) mayPass = mayPass || meetsStranger(state, shape, box, end);
   if (!mayPass || isInside(state, index, end)) return;
   Real low = body.clock, high = end;
   constexpr int kHalvings = 20;
@@ -115,6 +130,17 @@ Lift liftOutOf(const ShapeSlot& shape, const Pose& A, const Vector3& from, const
   return lift;
 }
 
+// How high the middle of the body is over the contacts of a pair, all of them as they were made.
+Real heightOver(const PairSlot& pair, const Vector3& middle) {
+  Real least = std::numeric_limits<Real>::infinity();
+  for (int i = 0; i < pair.manifold.count; ++i) {
+    const ManifoldPoint& point = pair.manifold.points[at(i)];
+    const Real height = pair.manifold.normal.dot(middle - point.position) + point.separation / 2;
+    least = std::min(least, height);
+  }
+  return least;
+}
+
 // Returns whether the body of the pair had to be held.
 bool holdMiddle(WorldState& state, const PairSlot& pair, const StepSpan& span, bool followed) {
   const ShapeSlot& shape = state.shapes[at(pair.shapeA)];
@@ -131,9 +157,12 @@ bool holdMiddle(WorldState& state, const PairSlot& pair, const StepSpan& span, b
   if (isGround) {
     lift = liftOverFace(state, pair, after, from);
   } else {
-    // Who goes a short way is stopped by his contacts.
+    // Who goes a short way is stopped by his contacts, unless others press him in.
     constexpr Real kFar = 0.125;
-    if ((body.position - from).norm() <= kFar * body.reach) return false;
+    const Real far = kFar * body.reach;
+    const bool isShort = (body.position - from).norm() <= far;
+    const Vector3 middle = pointToWorld(before, pointToBody(after, body.position));
+    if (isShort && heightOver(pair, middle) > far) return false;
     lift = liftOutOf(shape, after, from, body.position);
     if (lift.way > 0) lift.way += touchGap(state, pair);
   }
