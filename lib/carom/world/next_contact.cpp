@@ -137,9 +137,9 @@ Real nextOfTurned(WorldState& state, const PairSlot& pair, Real time, Real end, 
 }
 
 // When a pair that nothing holds comes to overlap until `end`, wherever its bodies turn, deeper than
-// it does already; never, if it does not. A cylinder that has bounced on its rim comes down with the other rim; and a search takes
-// spins to be even, which those of bodies that tumble are not. Found too late, they would lie in
-// each other and be lifted out with energy from nothing.
+// it does already; never, if it does not. A cylinder that has bounced on its rim comes down with the
+// other rim; and a search takes spins to be even, which those of bodies that tumble are not. Found
+// too late, they would lie in each other and be lifted out with energy from nothing.
 Real firstOverlap(WorldState& state, const PairSlot& pair, Real time, Real end) {
   const Real tolerance = state.settings.touchTolerance;
   Real level = -tolerance;
