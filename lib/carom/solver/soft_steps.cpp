@@ -245,10 +245,11 @@ SoftNumbers<T> numbersOf(const SoftSettings& settings, Real duration) {
   const Real part = duration / settings.shortSteps;
   numbers.duration = static_cast<T>(part);
   numbers.perDuration = static_cast<T>(1 / part);
-  numbers.pull = static_cast<T>(settings.pull);
-  numbers.allowed = static_cast<T>(settings.allowedOverlap);
-  numbers.massScale = static_cast<T>(1 - settings.give);
+  numbers.pull = static_cast<T>(settings.pull / part);
+  numbers.massScale = 1;
   numbers.impulseScale = static_cast<T>(settings.give);
+  numbers.slowestPull = static_cast<T>(settings.slowestPull);
+  numbers.rise = static_cast<T>(settings.rise);
   numbers.fastestPull = static_cast<T>(settings.fastestPull);
   numbers.slowestBounce = static_cast<T>(settings.slowestBounce);
   numbers.little = static_cast<T>(1e-30);
@@ -299,9 +300,7 @@ void runSteps(RowMemory<T>& memory, std::size_t bodyCount, std::size_t movable,
     if (step == 0) eachColor([&](auto* begin, auto* end) { kernel.warm(begin, end, bodies); });
     eachColor([&](auto* begin, auto* end) { kernel.press(begin, end, bodies, numbers); });
     eachBody([&](int begin, int end) { kernel.drift(bodies, begin, end, numbers); });
-    for (int i = 0; i < settings.relaxations; ++i) {
-      eachColor([&](auto* begin, auto* end) { kernel.relax(begin, end, bodies, numbers); });
-    }
+    eachColor([&](auto* begin, auto* end) { kernel.relax(begin, end, bodies, numbers); });
   }
   eachBody([&](int begin, int end) { kernel.note(bodies, begin, end); });
   const bool bounces = std::any_of(memory.blocks.begin(), memory.blocks.end(),
@@ -337,7 +336,7 @@ SoftCounts SoftSteps::run(const SoftSettings& settings, Real duration, KeptThrea
   SoftCounts counts;
   counts.colors = static_cast<int>(m.firstBlock.size()) - 1;
   counts.blocks = m.firstBlock.back();
-  counts.rows = m.rowsOnce * settings.shortSteps * (1 + settings.relaxations);
+  counts.rows = m.rowsOnce * settings.shortSteps * 2;
   return counts;
 }
 

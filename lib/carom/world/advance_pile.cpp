@@ -127,21 +127,6 @@ void storeForces(WorldState& state, std::size_t place, Real duration) {
   pair.bySoftSteps = true;
 }
 
-// Whether most of what touches carries nothing yet: it was put there, or has just come to lie. A
-// load then has to find its way through the whole pile, which takes more visits.
-bool isNew(const WorldState& state, const IslandSlot& island) {
-  std::size_t touching = 0, carrying = 0;
-  for (const Index index : island.pairs) {
-    const PairSlot& pair = state.pairs[at(index)];
-    for (int i = 0; i < pair.manifold.count; ++i) {
-      if (!isClosed(state, pair, i)) continue;
-      ++touching;
-      carrying += pair.force[at(i)] > 0 ? 1 : 0;
-    }
-  }
-  return 2 * carrying < touching;
-}
-
 // What no contact has moved is left to the closed form.
 void noteFree(WorldState& state, std::size_t movable) {
   const Pile& pile = state.pile;
@@ -176,17 +161,20 @@ void takeMotion(WorldState& state, std::size_t i, Real dt, Real until) {
   if (isFast) keepTurningEnergy(body, middle);
 }
 
-// Islands that are solved with the same care go together: their contacts share blocks and loops.
-void advanceTogether(WorldState& state, std::span<const Index> islands, int relaxations, Real start,
-                     Real until) {
+}  // namespace
+
+void advancePiles(WorldState& state, std::span<const Index> islands, Real start, Real until) {
   if (islands.empty()) return;
+  for (const Index index : islands) dropForcesOfEvents(state, state.islands[at(index)]);
   const Real dt = until - start;
   Pile& pile = state.pile;
   numberBodies(state, islands);
   const std::size_t movable = pile.members.size();
   numberContacts(state, islands);
+  // As much as the swings of tall walls ask for; less leaves them, more lets the walls sink.
+  constexpr Real kGive = 0.28;
   const SoftSettings settings{.shortSteps = state.settings.shortSteps,
-                              .relaxations = relaxations,
+                              .give = kGive,
                               .slowestBounce = state.settings.gravity.norm() * dt,
                               .width = state.settings.rowWidth};
   const Real duration = dt / settings.shortSteps;
@@ -210,24 +198,6 @@ void advanceTogether(WorldState& state, std::span<const Index> islands, int rela
   noteFree(state, movable);  // anchors are shared, so that one thread does this
   each(movable, [&](std::size_t i) { takeMotion(state, i, dt, until); });
   for (std::size_t i = 0; i < movable; ++i) moveBody(state, pile.members[i], until, true);
-}
-
-}  // namespace
-
-void advancePiles(WorldState& state, std::span<const Index> islands, Real start, Real until) {
-  constexpr int kNewFor = 12, kRelaxations = 20;
-  Pile& pile = state.pile;
-  pile.fresh.clear();
-  pile.usual.clear();
-  for (const Index index : islands) {
-    IslandSlot& island = state.islands[at(index)];
-    dropForcesOfEvents(state, island);
-    if (isNew(state, island)) island.newFor = kNewFor;
-    (island.newFor > 0 ? pile.fresh : pile.usual).push_back(index);
-    island.newFor = std::max(0, island.newFor - 1);
-  }
-  advanceTogether(state, pile.fresh, kRelaxations, start, until);
-  advanceTogether(state, pile.usual, 1, start, until);
 }
 
 }  // namespace carom::world

@@ -39,7 +39,7 @@ Index newIsland(WorldState& state) {
   IslandSlot& slot = state.islands[at(island)];
   slot.alive = slot.awake = true;
   slot.mustSplit = slot.unsorted = slot.still = false;
-  slot.hardFor = slot.newFor = slot.pileFor = 0;
+  slot.hardFor = slot.pileFor = 0;
   slot.isPile = false;
   slot.subStep = 0;
   slot.awakeAt = static_cast<Index>(state.awakeIslands.size());

@@ -17,8 +17,6 @@ namespace carom::world {
 struct Pile {
   SoftSteps steps;                       ///< the solver
   std::vector<std::int32_t> islands;     ///< that go by soft steps in this step
-  std::vector<std::int32_t> fresh;       ///< those of them that carry nothing yet
-  std::vector<std::int32_t> usual;       ///< the others
   std::vector<std::int32_t> members;     ///< bodies, those that can be moved first
   std::vector<std::int32_t> pairs;       ///< pairs that have points
   std::vector<ColorEdge> edges;          ///< their bodies

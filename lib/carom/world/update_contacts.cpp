@@ -251,7 +251,7 @@ void updatePairs(WorldState& state, Real dt) {
 namespace {
 
 // Share of the contact margin that bodies of a pile may move against each other before their
-// manifold is made anew: a millimetre, which is the overlap that a pile leaves alone.
+// manifold is made anew: a millimetre.
 constexpr Real kKeptWay = 0.1;
 
 // How far apart a pair's points are of interest, by how far its two bodies can go.

@@ -158,7 +158,6 @@ struct IslandSlot {
   bool mustSplit = false;  ///< a pair has ended: it may be two by now
   int hardFor = 0;        ///< steps for which it is not tried by events: its contacts do not settle
   int knocks = 0;         ///< impacts, and phases that did not settle, in this step
-  int newFor = 0;         ///< steps for which a pile is solved with more care: its load is new
   int pileFor = 0;        ///< steps for which it is a pile: anything else took too much
   bool isPile = false;    ///< its last step was one of soft steps
   int strayFor = 0;       ///< steps for which it is not solved directly: that found nothing
