@@ -13,6 +13,7 @@
 #include "carom/core/errors.hpp"
 #include "carom/detection/closest_point.hpp"
 #include "carom/detection/hull_of_points.hpp"
+#include "carom/detection/rounded_distance.hpp"
 #include "carom/detection/segment_segment.hpp"
 #include "carom/detection/separate_boxes.hpp"
 #include "carom/detection/separate_hulls.hpp"
@@ -226,6 +227,29 @@ TEST_CASE("D4, D7: the sign of the distance is the exact verdict, for touching b
     }
     check(tetrahedra, spatial[set]);
   }
+}
+
+TEST_CASE("a rounded distance is the distance, but for the sign of what touches") {
+  CaseNumbers random(7);
+  const std::vector<ConvexShape> shapes = zoo();
+  for (const ConvexShape& a : shapes) {
+    for (const ConvexShape& b : shapes) {
+      for (int k = 0; k < 5; ++k) {
+        const Vector3 way = random.direction();
+        const Pose A = at(0, 0, 0), B{Matrix3::Identity(), 0.5 * k * way};
+        const Shape one = std::visit([](const auto& s) { return Shape(s); }, a);
+        const Shape other = std::visit([](const auto& s) { return Shape(s); }, b);
+        const Separation exact = signedDistance(one, A, other, B);
+        const Separation rounded = roundedDistance(one, A, other, B);
+        REQUIRE(std::abs(rounded.separation - exact.separation) <= 16 * kUlp);
+        REQUIRE((rounded.normal - exact.normal).norm() <= 16 * kUlp);
+      }
+    }
+  }
+  const Shape cube = Box{{0.5, 0.5, 0.5}};
+  CHECK(signedDistance(cube, at(0, 0, 0), cube, at(1, 0, 0)).separation == 0);
+  CHECK(std::abs(roundedDistance(cube, at(0, 0, 0), cube, at(1, 0, 0)).separation) <= 4 * kUlp);
+  CHECK_THROWS_AS(roundedDistance(cube, at(NAN, 0, 0), cube, at(1, 0, 0)), InvalidInput);
 }
 
 TEST_CASE("D14: the gap of 3.6 micrometres between two boxes is right to a part in ten million") {
