@@ -56,9 +56,9 @@ Real slowSpeed(const WorldState& state);
 /// \ingroup world
 Real partingSpeed(const WorldState& state, const PairSlot& pair, int point);
 
-/// Whether a phase holds a point of a pair: it is closed and does not part. \param state of the
-/// world, all bodies of the pair at the time of the manifold \param pair which \return so \ingroup
-/// world
+/// Whether a phase holds a point of a pair: it is closed and does not part.
+/// \param state of the world, all bodies of the pair at the time of the manifold \param pair which
+/// \return true if it does \ingroup world
 bool isHeld(const WorldState& state, const PairSlot& pair);
 
 /// A pair as the solver wants it, at the start of the time. \param state of the world, gathered
