@@ -8,9 +8,8 @@
 namespace carom::scenes {
 namespace {
 
-constexpr Real kLongEnough = 1;   // of processor time: its clock may tick in steps of 10 ms [s]
-constexpr Real kLongBlock = 0.1;  // ten ticks of that clock [s]
-constexpr long kBlocks = 100;     // of a repeated run, so that reading a clock costs little
+constexpr Real kLongEnough = 1;  // of processor time: its clock may tick in steps of 10 ms [s]
+constexpr long kBlocks = 100;    // of a repeated run, so that reading a clock costs little
 
 Real secondsOf(clockid_t clock) {
   timespec now{};
@@ -108,7 +107,6 @@ Run runScene(const EngineKind& kind, const Scene& scene, Real dt, const RunOptio
   const std::unique_ptr<Engine> engine = kind.make();
   engine->build(scene);
   judge->see(0, states);
-  std::vector<Real> blocks;
   long looks = 0;
   Real onWall = 0;
   for (long done = 0; done < division.steps;) {
@@ -121,7 +119,6 @@ Run runScene(const EngineKind& kind, const Scene& scene, Real dt, const RunOptio
     onWall += secondsOf(CLOCK_MONOTONIC) - beforeOnWall;
     if (done >= division.untimed) {
       if (options.allocations) run.allocations += options.allocations() - asked;
-      blocks.push_back(took / static_cast<Real>(now));
       run.seconds += took;
       run.steps += now;
     }
@@ -134,11 +131,6 @@ Run runScene(const EngineKind& kind, const Scene& scene, Real dt, const RunOptio
     judge->see(static_cast<Real>(done) * dt, states);
     if (done > division.untimed) addCounters(engine->counters(), run.counters, looks);
   }
-  // The median of blocks that the clock cannot tell from nothing would be nothing.
-  run.medianStep = medianOf(blocks);
-  if (run.medianStep * static_cast<Real>(division.block) < kLongBlock) {
-    run.medianStep = run.seconds / static_cast<Real>(std::max(1L, run.steps));
-  }
   run.simulated = static_cast<Real>(run.steps) * dt;
   run.figures = judge->figures();
   for (Figure& counter : run.counters) counter.value /= static_cast<Real>(looks);
@@ -148,7 +140,6 @@ Run runScene(const EngineKind& kind, const Scene& scene, Real dt, const RunOptio
   const bool inBatches = options.batch > 0;
   if (inBatches && division.untimed == 0 && onWall < options.batch) {
     run.seconds = secondsInBatches(kind, scene, dt, options, onWall, run);
-    run.medianStep = run.seconds / static_cast<Real>(run.steps);
     return run;
   }
 
@@ -176,7 +167,6 @@ Run runScene(const EngineKind& kind, const Scene& scene, Real dt, const RunOptio
   }
   run.seconds = 0;
   for (const std::vector<Real>& ofBlock : times) run.seconds += medianOf(ofBlock);
-  run.medianStep = run.seconds / static_cast<Real>(run.steps);
   return run;
 }
 

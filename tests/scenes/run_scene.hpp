@@ -18,7 +18,6 @@ struct Run {
   std::vector<Figure> counters;  ///< of the engine: mean over the steps before a look
   Real seconds = 0;              ///< of processor time, in the part that is timed [s]
   Real simulated = 0;            ///< in the same part [s]
-  Real medianStep = 0;           ///< processor time of a step, median of the blocks [s]
   long steps = 0;                ///< in the same part
   bool finite = true;            ///< whether all states were numbers
   bool repeats = true;           ///< whether every run ended in the same state
