@@ -13,6 +13,7 @@
 #include "carom/rotation/renormalize.hpp"
 #include "carom/world/islands.hpp"
 #include "carom/world/move_body.hpp"
+#include "carom/world/shared_hulls.hpp"
 #include "carom/world/update_contacts.hpp"
 #include "carom/world/weigh_shapes.hpp"
 
@@ -94,7 +95,8 @@ Real reachOf(const ShapeSlot& shape) {
 }
 
 template <class Kind>
-std::shared_ptr<const ShapeData> dataOf(const Kind& kind) {
+std::shared_ptr<const ShapeData> dataOf(WorldState& state, const Kind& kind) {
+  if constexpr (std::is_same_v<Kind, ConvexHull>) return sharedHull(state, kind);
   auto data = std::make_shared<ShapeData>();
   data->whole = kind;
   if constexpr (std::is_same_v<Kind, HalfSpace>) {
@@ -106,7 +108,7 @@ std::shared_ptr<const ShapeData> dataOf(const Kind& kind) {
     data->isBall = true;
     data->reach = kind.radius;
   }
-  data->usesAxes = std::is_same_v<Kind, Box> || std::is_same_v<Kind, ConvexHull>;
+  data->usesAxes = std::is_same_v<Kind, Box>;
   return data;
 }
 
@@ -173,11 +175,11 @@ void addShapes(WorldState& state, Index body, const ShapeDescription& descriptio
     if constexpr (std::is_same_v<Kind, Compound>) {
       for (const CompoundPart& part : kind.parts) {
         const Pose pose = composed(inner, composed(description.pose, part.pose));
-        const auto data = std::visit([](const auto& convex) { return dataOf(convex); }, part.shape);
-        addShape(state, body, data, pose, description);
+        const auto makeData = [&](const auto& convex) { return dataOf(state, convex); };
+        addShape(state, body, std::visit(makeData, part.shape), pose, description);
       }
     } else {
-      addShape(state, body, dataOf(kind), composed(inner, description.pose), description);
+      addShape(state, body, dataOf(state, kind), composed(inner, description.pose), description);
     }
   };
   std::visit(addKind, description.shape);

@@ -102,7 +102,9 @@ bool mayMeet(const WorldState& state, Index a, Index b) {
 
 Aabb<3> boundsOfShape(const ShapeSlot& shape, const Pose& pose) {
   const ShapeData& data = *shape.data;
-  return data.ground ? boundsOfItem(*data.ground, shape.item, pose) : boundsOf(data.whole, pose);
+  if (data.ground) return boundsOfItem(*data.ground, shape.item, pose);
+  // Of a hull the copy that manifolds read.
+  return data.isHalfSpace ? boundsOf(data.whole, pose) : boundsOf(data.convex, pose);
 }
 
 void moveBoxes(WorldState& state, Index index, Real dt) {

@@ -10,6 +10,7 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
@@ -52,6 +53,9 @@ struct ShapeData {
   std::shared_ptr<const Ground> ground =
       {};  ///< if there is one, what `whole` says is of no account
 };
+
+/// Hulls by a number made of each. \ingroup world
+using HullList = std::multimap<std::uint64_t, std::weak_ptr<const ShapeData>>;
 
 /// A shape's place in a world. \ingroup world
 struct ShapeSlot {
@@ -263,6 +267,8 @@ struct WorldState {
   std::vector<IslandSlot> islands;       ///< all islands
   ListPool islandLists;                  ///< memory for their bodies and pairs
   std::vector<RotorAnchor> anchors;      ///< of bodies that turn freely
+  HullList hulls;                        ///< that shapes share
+  std::size_t hullsAtMost = 0;           ///< if there are more, those of no shape are forgotten
   std::vector<Index> freeBodies;         ///< places that can be used again
   std::vector<Index> freeShapes;         ///< places that can be used again
   std::vector<Index> freeIslands;        ///< places that can be used again
