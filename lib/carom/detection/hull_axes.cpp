@@ -119,8 +119,8 @@ class Scratch {
 
 using Numbers = Scratch<std::int32_t, 128>;
 
-// The heights of one point over all faces of a hull, and the faces over which it reaches a
-// threshold.
+// The heights of one point over all faces of a hull, and the faces that it stands over, or, where
+// that is lower, over which it reaches a threshold.
 struct Heights {
   explicit Heights(int faceCount) : values(faceCount), above(faceCount + 1) {}
 
@@ -131,37 +131,43 @@ struct Heights {
   Scratch<Real, 128> values;
   Numbers above;
   int aboveCount = 0;
-  Real threshold = 0;  // what the faces in `above` have reached
 };
 
-// Measures a point over each face, two faces at a time. No branch depends on the data: what cannot
-// be predicted costs more than what is computed in vain.
+// Measures a point over each face, two faces at a time, and lists what it reaches. Of four faces
+// seldom one is reached, so that one branch for all of them is foreseen.
 void measure(const HullView& hull, const Vector3& point, Real threshold, Heights& heights) {
   const Two x = {point.x(), point.x()};
   const Two y = {point.y(), point.y()};
   const Two z = {point.z(), point.z()};
-  Real* values = heights.values.data();
-  std::int32_t* above = heights.above.data();
+  const auto overTwo = [&](const HullFace* face) {
+    const HullFace &p = face[0], &q = face[1];
+    return Two{p.normal.x(), q.normal.x()} * x + Two{p.normal.y(), q.normal.y()} * y +
+           Two{p.normal.z(), q.normal.z()} * z - Two{p.offset, q.offset};
+  };
+  const Real least = std::min(threshold, Real(0));
+  Real* const values = heights.values.data();
+  std::int32_t* const above = heights.above.data();
+  const HullFace* const faces = hull.faces;
+  const int faceCount = hull.faceCount;
   int count = 0;
+  const auto list = [&](int f) {
+    above[count] = f;
+    count += values[f] >= least ? 1 : 0;
+  };
   int f = 0;
-  for (; f + 1 < hull.faceCount; f += 2) {
-    const HullFace& p = hull.faces[f];
-    const HullFace& q = hull.faces[f + 1];
-    const Two height = Two{p.normal.x(), q.normal.x()} * x + Two{p.normal.y(), q.normal.y()} * y +
-                       Two{p.normal.z(), q.normal.z()} * z - Two{p.offset, q.offset};
-    std::memcpy(values + f, &height, sizeof height);
-    above[count] = f;
-    count += height[0] >= threshold ? 1 : 0;
-    above[count] = f + 1;
-    count += height[1] >= threshold ? 1 : 0;
+  for (; f + 3 < faceCount; f += 4) {
+    const Two first = overTwo(faces + f), second = overTwo(faces + f + 2);
+    std::memcpy(values + f, &first, sizeof first);
+    std::memcpy(values + f + 2, &second, sizeof second);
+    const Two most = first > second ? first : second;
+    if (std::max(most[0], most[1]) < least) continue;
+    for (int k = f; k < f + 4; ++k) list(k);
   }
-  if (f < hull.faceCount) {
-    values[f] = hull.faces[f].normal.dot(point) - hull.faces[f].offset;
-    above[count] = f;
-    count += values[f] >= threshold ? 1 : 0;
+  for (; f < faceCount; ++f) {
+    values[f] = faces[f].normal.dot(point) - faces[f].offset;
+    list(f);
   }
   heights.aboveCount = count;
-  heights.threshold = threshold;
 }
 
 // The face over which the point is highest, the first of several.
@@ -184,15 +190,11 @@ int highestFace(const Heights& heights, int faceCount) {
 // The point itself if it lies in the hull, else where the way to the centroid enters it.
 Vector3 pulledInside(const HullView& hull, const Vector3& point, const Heights& heights) {
   Real part = 1;
-  const auto pull = [&](int f) {
-    if (heights[f] <= 0) return;
+  for (int k = 0; k < heights.aboveCount; ++k) {
+    const int f = heights.above[k];
+    if (heights[f] <= 0) continue;
     const Real inside = hull.faces[f].normal.dot(hull.centroid) - hull.faces[f].offset;
     part = std::min(part, inside / (inside - heights[f]));
-  };
-  if (heights.threshold <= 0) {
-    for (int k = 0; k < heights.aboveCount; ++k) pull(heights.above[k]);
-  } else {
-    for (int f = 0; f < hull.faceCount; ++f) pull(f);
   }
   return part == 1 ? point : Vector3(hull.centroid + part * (point - hull.centroid));
 }
@@ -543,19 +545,33 @@ class Search {
     return (l * r < 0) & (p * q < 0) & (l * p < 0);
   }
 
+  // Of gaps above zero: edges between two faces of which one lies below the point, and that matter.
+  static int edgesThatMatter(const HullView& hull, const Heights& heights, Real toReach,
+                             Numbers& list) {
+    int count = 0;
+    for (int k = 0; k < heights.aboveCount; ++k) {
+      const std::int32_t f = heights.above[k];
+      if (heights[f] <= 0) continue;
+      const HullFace& face = hull.faces[f];
+      for (int h = face.firstHalfEdge; h < face.firstHalfEdge + face.count; ++h) {
+        const HullHalfEdge& side = hull.halfEdges[h];
+        const std::int32_t other = hull.halfEdges[side.twin].face;
+        // An edge between two such faces is met twice, and taken once.
+        if ((heights[other] > 0) & (f > other)) continue;
+        list[count] = side.edge;
+        count += edgeMatters(hull, heights, hull.edges[side.edge], toReach) ? 1 : 0;
+      }
+    }
+    return count;
+  }
+
   // The edges of one body that the heights do not rule out: those of the faces that reach the
   // threshold, and for gaps above zero all that edgeMatters().
   int edgesThatMatter(const HullView& hull, const Heights& heights, const Alive& alive,
                       const Points& points, Numbers& list) const {
     const Real toReach = threshold();
+    if (toReach > 0) return edgesThatMatter(hull, heights, toReach, list);
     int count = 0;
-    if (toReach > 0) {
-      for (int e = 0; e < hull.edgeCount; ++e) {
-        list[count] = e;
-        count += edgeMatters(hull, heights, hull.edges[e], toReach) ? 1 : 0;
-      }
-      return count;
-    }
     for (int k = 0; k < alive.count; ++k) {
       const std::int32_t f = alive.faces[k];
       if (heights[f] < toReach) continue;
