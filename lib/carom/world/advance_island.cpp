@@ -370,9 +370,10 @@ bool beginIsland(WorldState& state, Index index, Real start, Real end) {
 IslandRun advanceUsual(WorldState& state, Index index, Real start, Real end) {
   IslandRun run;
   IslandSlot& island = state.islands[at(index)];
-  // What a pile carries along is not good enough here.
+  // What a pile carries along, or leaves out, is not good enough here.
   for (const Index pair : island.pairs) {
-    if (state.pairs[at(pair)].carried) remakeManifold(state, pair, start, end - start);
+    const PairSlot& slot = state.pairs[at(pair)];
+    if (slot.carried || slot.narrow) remakeManifold(state, pair, start, end - start);
   }
   const std::int64_t workBefore = workDone(state.counters);
   const bool isWatched = mayBeStill(state, island);

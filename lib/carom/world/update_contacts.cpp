@@ -12,6 +12,7 @@
 #include "carom/world/islands.hpp"
 #include "carom/world/leave_ground.hpp"
 #include "carom/world/move_body.hpp"
+#include "carom/world/quiet.hpp"
 
 namespace carom::world {
 
@@ -302,7 +303,7 @@ void collidePair(const WorldState& state, PairSlot& pair, const Pose& A, const P
   } else {
     pair.manifold = collide(a.data->convex, A, b.data->convex, B, &pair.cache, margin);
   }
-  pair.carried = false;
+  pair.carried = pair.narrow = false;
   handOn(old, forces, state.settings.contactMargin, pair);
 }
 
@@ -323,22 +324,25 @@ void startManifold(WorldState& state, Index index) {
   const Pose A = poseOfShape(bodyA, state.shapes[at(pair.shapeA)]);
   const Pose B = poseOfShape(bodyB, state.shapes[at(pair.shapeB)]);
   // Boxes were made by the same ways.
-  const Real margin =
+  const Real most =
       marginOf(state, pair, {bodyA.straight, bodyA.round}, {bodyB.straight, bodyB.round});
   pair.madeAt = 0;
   KeptManifold& kept = state.kept[at(index)];
   const bool isSoft = pair.island != kNone && state.islands[at(pair.island)].isPile;
+  const Real margin =
+      isSoft ? std::min(most, state.settings.contactMargin + quietReach(state, pair)) : most;
   if (!isSoft || !mayBeCarried(state, pair)) {
     collidePair(state, pair, A, B, margin);
+    pair.narrow = margin < most;
     kept.known = false;
     return;
   }
   // A margin with some room to spare, so that the next steps find what they ask for.
-  const Real most = kKeptWay * state.settings.contactMargin;
+  const Real farthest = kKeptWay * state.settings.contactMargin;
   if (kept.known && margin <= kept.margin) {
     // Of a half-space no point is near; but it is A, or does not move.
     const Real reach = bodyB.reach + state.shapes[at(pair.shapeB)].pose.p_WB.norm();
-    if (wayAgainst(kept, A, B, reach) <= most) {
+    if (wayAgainst(kept, A, B, reach) <= farthest) {
       carryManifold(kept, A, B, pair.manifold);
       pair.carried = true;
       return;
@@ -346,6 +350,7 @@ void startManifold(WorldState& state, Index index) {
   }
   const Real wide = margin + state.settings.contactMargin / 2;
   collidePair(state, pair, A, B, wide);
+  pair.narrow = margin < most;
   kept = keptManifold(pair.manifold, A, B, wide);
 }
 
@@ -422,6 +427,7 @@ void updateManifolds(WorldState& state, Real dt) {
       if (pair.island != kNone) releasePair(state, index);
     }
   }
+  leaveQuietPairs(state, dt);
   // Each manifold concerns its pair alone, so that it does not matter who makes it.
   constexpr std::size_t kFew = 16;  // are not worth a second thread
   threadsOf(state.pile, state.settings.threads)

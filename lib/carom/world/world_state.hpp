@@ -141,6 +141,7 @@ struct PairSlot {
   bool sticks = false;             ///< friction held it in the last part of a step
   bool known = false;              ///< has been looked at in some step
   bool carried = false;            ///< its manifold is that of an earlier step, carried along
+  bool narrow = false;             ///< its manifold reaches only as far as a pile asks for
   bool bySoftSteps = false;        ///< its forces are those of a pile, and no event came since
   Real friction = 0;               ///< of the two materials [1]
   Real restitution = 0;            ///< of the two materials [1]
@@ -211,22 +212,41 @@ struct OrderedPair {
   Index pair = kNone;       ///< which
 };
 
+/// How a body goes on as long as nothing can have touched it. \ingroup world
+struct QuietBody {
+  Vector3 ahead = Vector3::Zero();  ///< where its velocity takes it in the step [m, world]
+  Vector3 bent = Vector3::Zero();   ///< and what acts on it [m, world]
+  Real round = 0;                   ///< how far its turning takes its points [m]
+  Real way = 0;                     ///< how far all that takes a point at most [m]
+  Real room = 0;                    ///< around it in its boxes, at least [m]
+  Real until = 1;                   ///< share of the step before it can be touched [1]
+};
+
+/// Two bodies of which one can touch the other once something has touched it. \ingroup world
+struct QuietLink {
+  Index a = kNone;  ///< one body
+  Index b = kNone;  ///< the other
+  Real part = 0;    ///< share of the step that this takes at least, positive [1]
+};
+
 /// Memory that stages use again in each step. \ingroup world
 struct Workspace {
-  std::vector<MovingBody> moving;    ///< bodies as the solver sees them
-  std::vector<Index> members;        ///< whose they are
-  std::vector<WorkPatch> patches;    ///< what touches
-  std::vector<ContactBlock> blocks;  ///< the same, prepared
-  std::vector<Index> set;            ///< bodies that something has happened to
-  std::vector<Index> setPairs;       ///< pairs of these
-  std::vector<Index> toMake;         ///< pairs that want a manifold at the start of the step
-  std::vector<Index> innerPairs;     ///< of these, pairs whose bodies are all in the set
-  std::vector<OrderedPair> sorted;   ///< pairs of an island
-  std::vector<Index> labels;         ///< of bodies, while islands are looked for
-  std::vector<IndexPair> links;      ///< pairs of local numbers
-  std::vector<std::uint8_t> flags;   ///< one per local body
-  std::vector<std::uint8_t> asleep;  ///< the same, while an island wakes
-  bool mayFactor = true;             ///< the island at hand may be solved directly
+  std::vector<MovingBody> moving;     ///< bodies as the solver sees them
+  std::vector<Index> members;         ///< whose they are
+  std::vector<WorkPatch> patches;     ///< what touches
+  std::vector<ContactBlock> blocks;   ///< the same, prepared
+  std::vector<Index> set;             ///< bodies that something has happened to
+  std::vector<Index> setPairs;        ///< pairs of these
+  std::vector<Index> toMake;          ///< pairs that want a manifold at the start of the step
+  std::vector<QuietBody> quiet;       ///< by body; empty unless something is a pile
+  std::vector<QuietLink> quietLinks;  ///< between these
+  std::vector<Index> innerPairs;      ///< of these, pairs whose bodies are all in the set
+  std::vector<OrderedPair> sorted;    ///< pairs of an island
+  std::vector<Index> labels;          ///< of bodies, while islands are looked for
+  std::vector<IndexPair> links;       ///< pairs of local numbers
+  std::vector<std::uint8_t> flags;    ///< one per local body
+  std::vector<std::uint8_t> asleep;   ///< the same, while an island wakes
+  bool mayFactor = true;              ///< the island at hand may be solved directly
   std::int64_t rowsLeft = 0;  ///< rows that sweeps over this island may still visit in this step
   IslandNewton newton;        ///< for islands that are solved directly
   std::vector<BodyContact> contacts;     ///< of impacts
