@@ -244,6 +244,7 @@ void makeRoom(Workspace& work, std::size_t bodies, std::size_t pairs, std::size_
   work.patches.reserve(pairs);
   work.blocks.reserve(pairs);
   work.sorted.reserve(pairs);
+  work.aside.reserve(pairs);
   work.links.reserve(pairs);
   work.pairsBefore.reserve(pairs);
   work.contacts.reserve(points);

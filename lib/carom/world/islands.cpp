@@ -97,18 +97,38 @@ void join(WorldState& state, Index from, Index to) {
   endIsland(state, from);
 }
 
+// Pairs in the order of their numbers. Few have come or gone, so that most stand in order: what
+// breaks it is put aside together with what stood before it, sorted, and merged with the rest.
+void sortPairs(WorldState& state, IslandSlot& island) {
+  std::vector<OrderedPair>&kept = state.work.sorted, &aside = state.work.aside;
+  kept.clear();
+  aside.clear();
+  for (const Index pair : island.pairs) {
+    const OrderedPair next{state.pairs[at(pair)].order, pair};
+    if (kept.empty() || kept.back().order < next.order) {
+      kept.push_back(next);
+      continue;
+    }
+    aside.push_back(kept.back());
+    aside.push_back(next);
+    kept.pop_back();
+  }
+  const auto before = [](const OrderedPair& a, const OrderedPair& b) { return a.order < b.order; };
+  std::sort(aside.begin(), aside.end(), before);
+  auto first = kept.begin(), second = aside.begin();
+  for (std::size_t i = 0; i < island.pairs.size(); ++i) {
+    const bool isFirst = second == aside.end() || (first != kept.end() && before(*first, *second));
+    const Index pair = isFirst ? (first++)->pair : (second++)->pair;
+    if (island.pairs[i] == pair && state.pairs[at(pair)].islandAt == static_cast<Index>(i))
+      continue;
+    island.pairs[i] = pair;
+    state.pairs[at(pair)].islandAt = static_cast<Index>(i);
+  }
+}
+
 void sortIsland(WorldState& state, IslandSlot& island) {
   std::sort(island.bodies.begin(), island.bodies.end());
-  // The orders first: each is asked for a dozen times, and pairs are far apart in memory.
-  std::vector<OrderedPair>& sorted = state.work.sorted;
-  sorted.clear();
-  for (const Index pair : island.pairs) sorted.push_back({state.pairs[at(pair)].order, pair});
-  std::sort(sorted.begin(), sorted.end(),
-            [](const OrderedPair& a, const OrderedPair& b) { return a.order < b.order; });
-  for (std::size_t i = 0; i < sorted.size(); ++i) {
-    island.pairs[i] = sorted[i].pair;
-    state.pairs[at(sorted[i].pair)].islandAt = static_cast<Index>(i);
-  }
+  sortPairs(state, island);
   island.unsorted = false;
 }
 

@@ -12,6 +12,7 @@ namespace {
 
 void describe(const WorldState& state, const BodySlot& body, Real dt, QuietBody& quiet) {
   quiet = QuietBody();
+  quiet.isDynamic = isDynamic(body);
   const bool moves = body.alive && body.kind != BodyKind::immovable && !body.asleep;
   if (!moves) return;
   quiet.ahead = dt * body.velocity.linear;
@@ -47,18 +48,19 @@ bool isOfPile(const WorldState& state, const PairSlot& pair) {
   return pair.island != kNone && state.islands[at(pair.island)].isPile;
 }
 
-// What is not quiet spreads through the links until nothing changes, or for too long: then nobody
-// is quiet.
+// What is not quiet spreads from pair to pair until nothing changes, or for too long: then nobody is
+// quiet.
 void spread(Workspace& work) {
   constexpr int kMost = 64;
   bool changed = true;
   for (int round = 0; round < kMost && changed; ++round) {
     changed = false;
-    for (const QuietLink& link : work.quietLinks) {
-      Real &a = work.quiet[at(link.a)].until, &b = work.quiet[at(link.b)].until;
-      const Real met = std::min(a, b) + link.part;
-      if (met >= std::max(a, b)) continue;
-      (a < b ? b : a) = met;
+    for (const QuietPair& pair : work.quietPairs) {
+      QuietBody &a = work.quiet[at(pair.bodyA)], &b = work.quiet[at(pair.bodyB)];
+      QuietBody& later = a.until < b.until ? b : a;
+      const Real met = std::min(a.until, b.until) + pair.part;
+      if (!later.isDynamic || met >= later.until) continue;
+      later.until = met;
       changed = true;
     }
   }
@@ -66,56 +68,65 @@ void spread(Workspace& work) {
   for (QuietBody& body : work.quiet) body.until = 0;
 }
 
+// Notes a pair; if it may touch at once, its bodies are not quiet.
+void note(WorldState& state, Index index) {
+  const PairSlot& pair = state.pairs[at(index)];
+  QuietBody &a = state.work.quiet[at(pair.bodyA)], &b = state.work.quiet[at(pair.bodyB)];
+  const Real gap = gapOf(state.shapes[at(pair.shapeA)], a, state.shapes[at(pair.shapeB)], b) -
+                   state.settings.contactMargin;
+  const Real room = gap - wayOfQuiet(a, b), all = a.way + b.way;
+  const bool atOnce = !(room > 0);
+  if (atOnce && a.isDynamic) a.until = 0;
+  if (atOnce && b.isDynamic) b.until = 0;
+  // A part of more than a whole step is never handed on.
+  state.work.quietPairs.push_back({index, pair.bodyA, pair.bodyB, gap,
+                                   atOnce       ? 0
+                                   : room < all ? room / all
+                                                : Real(1)});
+}
+
+bool canTouch(const WorldState& state, const QuietPair& pair) {
+  const QuietBody &a = state.work.quiet[at(pair.bodyA)], &b = state.work.quiet[at(pair.bodyB)];
+  if (pair.part == 0 || !a.isDynamic || !b.isDynamic) return true;
+  return pair.gap <= wayOf(a, b) || !isOfPile(state, state.pairs[at(pair.pair)]);
+}
+
+void leaveOut(PairSlot& pair) {
+  pair.manifold.count = 0;
+  pair.force = {};
+  pair.madeAt = 0;
+  pair.carried = false;
+  pair.narrow = pair.leftOut = true;
+}
+
 }  // namespace
 
 void leaveQuietPairs(WorldState& state, Real dt) {
   Workspace& work = state.work;
   work.quiet.clear();
-  work.quietLinks.clear();
   const auto ofPile = [&](Index index) { return isOfPile(state, state.pairs[at(index)]); };
   if (state.longSteps || std::none_of(work.toMake.begin(), work.toMake.end(), ofPile)) return;
   work.quiet.resize(state.bodies.size());
   for (std::size_t i = 0; i < state.bodies.size(); ++i) {
     describe(state, state.bodies[i], dt, work.quiet[i]);
   }
-  // Who may touch at once, and who if one of them is touched.
-  for (const Index index : work.toMake) {
-    const PairSlot& pair = state.pairs[at(index)];
-    QuietBody &a = work.quiet[at(pair.bodyA)], &b = work.quiet[at(pair.bodyB)];
-    const Real gap = gapOf(state.shapes[at(pair.shapeA)], a, state.shapes[at(pair.shapeB)], b);
-    const bool movesA = isDynamic(state.bodies[at(pair.bodyA)]),
-               movesB = isDynamic(state.bodies[at(pair.bodyB)]);
-    const Real room = gap - state.settings.contactMargin - wayOfQuiet(a, b);
-    if (!(room > 0)) {
-      if (movesA) a.until = 0;
-      if (movesB) b.until = 0;
-    } else if (movesA && movesB && room < a.way + b.way) {
-      work.quietLinks.push_back({pair.bodyA, pair.bodyB, room / (a.way + b.way)});
+  work.quietPairs.clear();
+  for (const Index index : work.toMake) note(state, index);
+  spread(work);
+  work.toMake.clear();
+  for (const QuietPair& pair : work.quietPairs) {
+    if (canTouch(state, pair)) {
+      work.toMake.push_back(pair.pair);
+    } else {
+      leaveOut(state.pairs[at(pair.pair)]);
     }
   }
-  spread(work);
-  std::erase_if(work.toMake, [&](Index index) {
-    PairSlot& pair = state.pairs[at(index)];
-    if (!isOfPile(state, pair) || !isDynamic(state.bodies[at(pair.bodyA)])) return false;
-    const QuietBody &a = work.quiet[at(pair.bodyA)], &b = work.quiet[at(pair.bodyB)];
-    const Real gap = gapOf(state.shapes[at(pair.shapeA)], a, state.shapes[at(pair.shapeB)], b);
-    if (gap <= state.settings.contactMargin + wayOf(a, b)) return false;
-    pair.manifold.count = 0;
-    pair.force = {};
-    pair.madeAt = 0;
-    pair.carried = false;
-    pair.narrow = true;
-    state.kept[at(index)].known = false;
-    return true;
-  });
 }
 
 Real quietReach(const WorldState& state, const PairSlot& pair) {
-  const std::vector<QuietBody>& quiet = state.work.quiet;
-  if (quiet.empty() || !isDynamic(state.bodies[at(pair.bodyA)])) {
-    return std::numeric_limits<Real>::infinity();
-  }
-  return wayOf(quiet[at(pair.bodyA)], quiet[at(pair.bodyB)]);
+  if (state.work.quiet.empty()) return std::numeric_limits<Real>::infinity();
+  const QuietBody &a = state.work.quiet[at(pair.bodyA)], &b = state.work.quiet[at(pair.bodyB)];
+  return a.isDynamic && b.isDynamic ? wayOf(a, b) : std::numeric_limits<Real>::infinity();
 }
 
 }  // namespace carom::world

@@ -143,11 +143,12 @@ Real heightOver(const PairSlot& pair, const Vector3& middle) {
 
 // Returns whether the body of the pair had to be held.
 bool holdMiddle(WorldState& state, const PairSlot& pair, const StepSpan& span, bool followed) {
+  if (isDynamic(state.bodies[at(pair.bodyA)])) return false;
   const ShapeSlot& shape = state.shapes[at(pair.shapeA)];
   const bool isGround = shape.data->ground != nullptr;
   BodySlot& body = state.bodies[at(pair.bodyB)];
   if (isGround ? !shape.data->ground->isFace(shape.item) : followed) return false;
-  if (isDynamic(state.bodies[at(pair.bodyA)]) || body.shapes.size() != 1) return false;
+  if (body.shapes.size() != 1) return false;
   const BodyState then = bodyAt(state, pair.bodyA, span.start),
                   now = bodyAt(state, pair.bodyA, span.end);
   const Pose before = poseOfShape(then, shape);

@@ -303,7 +303,7 @@ void collidePair(const WorldState& state, PairSlot& pair, const Pose& A, const P
   } else {
     pair.manifold = collide(a.data->convex, A, b.data->convex, B, &pair.cache, margin);
   }
-  pair.carried = pair.narrow = false;
+  pair.carried = pair.narrow = pair.leftOut = false;
   handOn(old, forces, state.settings.contactMargin, pair);
 }
 
@@ -339,7 +339,7 @@ void startManifold(WorldState& state, Index index) {
   }
   // A margin with some room to spare, so that the next steps find what they ask for.
   const Real farthest = kKeptWay * state.settings.contactMargin;
-  if (kept.known && margin <= kept.margin) {
+  if (kept.known && !pair.leftOut && margin <= kept.margin) {
     // Of a half-space no point is near; but it is A, or does not move.
     const Real reach = bodyB.reach + state.shapes[at(pair.shapeB)].pose.p_WB.norm();
     if (wayAgainst(kept, A, B, reach) <= farthest) {
@@ -395,12 +395,27 @@ bool isClosed(const WorldState& state, const PairSlot& pair, int point) {
   return separation <= touchGap(state, pair);
 }
 
+namespace {
+
+// Pairs lie far apart in memory: what a loop over them looks at first is asked for a few pairs
+// before it gets there.
+void fetchAhead(const WorldState& state, std::span<const Index> pairs, std::size_t i) {
+  constexpr std::size_t kAhead = 8;
+  if (i + kAhead >= pairs.size()) return;
+  const PairSlot& pair = state.pairs[at(pairs[i + kAhead])];
+  __builtin_prefetch(&pair);
+  __builtin_prefetch(&pair.madeAt);
+}
+
+}  // namespace
+
 void updateManifolds(WorldState& state, Real dt) {
   std::vector<Index>& toMake = state.work.toMake;
   toMake.clear();
   // Waking adds to the list while it is walked through: what was added is looked at, too.
   for (std::size_t i = 0; i < state.awakePairs.size(); ++i) {
     const Index index = state.awakePairs[i];
+    fetchAhead(state, state.awakePairs, i);
     PairSlot& pair = state.pairs[at(index)];
     ++state.counters.pairsAwake;
     // The broad phase has nothing to compare if everything is near everything.
@@ -432,7 +447,10 @@ void updateManifolds(WorldState& state, Real dt) {
   constexpr std::size_t kFew = 16;  // are not worth a second thread
   threadsOf(state.pile, state.settings.threads)
       .loop(toMake.size(), kFew, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) startManifold(state, toMake[i]);
+        for (std::size_t i = begin; i < end; ++i) {
+          fetchAhead(state, toMake, i);
+          startManifold(state, toMake[i]);
+        }
       });
   for (const Index index : toMake) countManifold(state, state.pairs[at(index)]);
 }

@@ -142,6 +142,7 @@ struct PairSlot {
   bool known = false;              ///< has been looked at in some step
   bool carried = false;            ///< its manifold is that of an earlier step, carried along
   bool narrow = false;             ///< its manifold reaches only as far as a pile asks for
+  bool leftOut = false;            ///< nothing can touch in this step, and no manifold was made
   bool bySoftSteps = false;        ///< its forces are those of a pile, and no event came since
   Real friction = 0;               ///< of the two materials [1]
   Real restitution = 0;            ///< of the two materials [1]
@@ -220,13 +221,16 @@ struct QuietBody {
   Real way = 0;                     ///< how far all that takes a point at most [m]
   Real room = 0;                    ///< around it in its boxes, at least [m]
   Real until = 1;                   ///< share of the step before it can be touched [1]
+  bool isDynamic = false;           ///< whether what touches it changes its way
 };
 
-/// Two bodies of which one can touch the other once something has touched it. \ingroup world
-struct QuietLink {
-  Index a = kNone;  ///< one body
-  Index b = kNone;  ///< the other
-  Real part = 0;    ///< share of the step that this takes at least, positive [1]
+/// A pair and how near its bodies can come in the step. \ingroup world
+struct QuietPair {
+  Index pair = kNone;   ///< which
+  Index bodyA = kNone;  ///< its bodies
+  Index bodyB = kNone;  ///< as in the pair
+  Real gap = 0;         ///< that of their boxes, less what counts as none [m]
+  Real part = 0;        ///< from when one is touched until it touches the other, at least [1]
 };
 
 /// Memory that stages use again in each step. \ingroup world
@@ -239,9 +243,10 @@ struct Workspace {
   std::vector<Index> setPairs;        ///< pairs of these
   std::vector<Index> toMake;          ///< pairs that want a manifold at the start of the step
   std::vector<QuietBody> quiet;       ///< by body; empty unless something is a pile
-  std::vector<QuietLink> quietLinks;  ///< between these
+  std::vector<QuietPair> quietPairs;  ///< of these
   std::vector<Index> innerPairs;      ///< of these, pairs whose bodies are all in the set
   std::vector<OrderedPair> sorted;    ///< pairs of an island
+  std::vector<OrderedPair> aside;     ///< of these, what is out of order
   std::vector<Index> labels;          ///< of bodies, while islands are looked for
   std::vector<IndexPair> links;       ///< pairs of local numbers
   std::vector<std::uint8_t> flags;    ///< one per local body
