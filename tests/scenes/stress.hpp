@@ -9,8 +9,10 @@
 // error of one step, 1e-3 at most: a phase of contact is right to the second order, and bodies here
 // turn by up to some radians in a step. Where a switch takes an idea away the step falls short by its
 // own first order: a body of speed v is up to v dt deep in a wall when that is noticed, and lifting it
-// out costs m g v dt. That is allowed once per body and step. Bodies that overlap at the start may be
-// lifted by the height of the room, and gain no speed from it.
+// out costs m g v dt. That is allowed once per body and step. So does a pile, whose contacts nobody
+// follows: in a step it may lift bodies as fast as soft steps take overlap away. That it has lost
+// when they sank, and in all nothing is allowed for it. Bodies that overlap at the start may be lifted
+// by the height of the room, and gain no speed from it.
 // Bounds on places: the middle of a body is never behind a wall. Who looks at the ends of steps only
 // may be there by the way that the fastest goes in a step, and by what of that is left at the rate at
 // which overlap is taken away.

@@ -8,6 +8,7 @@
 #include "carom/world/contact_phase.hpp"
 #include "carom/world/find_islands.hpp"
 #include "carom/world/islands.hpp"
+#include "carom/world/keep_energy.hpp"
 #include "carom/world/move_body.hpp"
 #include "carom/world/next_contact.hpp"
 #include "carom/world/project_positions.hpp"
@@ -379,7 +380,8 @@ IslandRun advanceUsual(WorldState& state, Index index, Real start, Real end) {
   const bool isWatched = mayBeStill(state, island);
   if (isWatched) remember(state, island);
   const std::size_t impacts = state.impacts.size();
-  rememberMiddles(state, island.bodies);
+  rememberStarts(state, island.bodies);
+  watchEnergy(state, island);
   if (state.settings.projectPositions) projectPositions(state, island.bodies, island.pairs);
   // What was not solved directly is hardly so in the next step.
   constexpr int kStrayFor = 8;
@@ -415,7 +417,8 @@ IslandRun advanceUsual(WorldState& state, Index index, Real start, Real end) {
   } else if (state.settings.projectPositions) {
     projectRounds(state, island.bodies, island.pairs, end);
   }
-  holdMiddles(state, island.bodies, island.pairs, {start, end}, run.byEvents);
+  holdMiddles(state, island.bodies, island.pairs, {start, end});
+  keepEnergy(state, island, state.work.starts, end - start);
   island.still = isWatched && state.impacts.size() == impacts && isAsRemembered(state, island);
   return run;
 }
@@ -427,13 +430,20 @@ void advanceInRoom(WorldState& state, std::span<const Index> piles, Real start, 
   work.set.clear();
   work.setPairs.clear();
   for (const Index index : piles) {
-    const IslandSlot& island = state.islands[at(index)];
+    IslandSlot& island = state.islands[at(index)];
+    watchEnergy(state, island);
     work.set.insert(work.set.end(), island.bodies.begin(), island.bodies.end());
     work.setPairs.insert(work.setPairs.end(), island.pairs.begin(), island.pairs.end());
   }
-  rememberMiddles(state, work.set);
+  rememberStarts(state, work.set);
   advancePiles(state, piles, start, end);
-  holdMiddles(state, work.set, work.setPairs, {start, end}, false);
+  holdMiddles(state, work.set, work.setPairs, {start, end});
+  std::span<const Pose> starts = work.starts;
+  for (const Index index : piles) {
+    const IslandSlot& island = state.islands[at(index)];
+    keepEnergy(state, island, starts.first(island.bodies.size()), end - start);
+    starts = starts.subspan(island.bodies.size());
+  }
 }
 
 }  // namespace

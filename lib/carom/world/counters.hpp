@@ -45,6 +45,7 @@ struct Counters {
   std::int64_t exactRotations = 0;    ///< bodies turned by the closed form
   std::int64_t splitRotations = 0;    ///< bodies turned by splitting: a torque acts, or by a switch
   std::int64_t projections = 0;       ///< pairs whose overlap was taken away
+  std::int64_t energiesKept = 0;      ///< islands to which a step would have given energy
   std::int64_t islandsSplit = 0;      ///< islands looked through because a contact had ended
   std::int64_t islandsWoken = 0;      ///< islands that woke
   std::int64_t islandsPutToSleep = 0;  ///< islands that fell asleep

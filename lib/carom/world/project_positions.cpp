@@ -5,7 +5,9 @@
 
 #include "carom/rotation/integrate_orientation.hpp"
 #include "carom/solver/contact_patch.hpp"
+#include "carom/solver/soft_steps.hpp"
 #include "carom/world/contact_phase.hpp"
+#include "carom/world/keep_energy.hpp"
 #include "carom/world/move_body.hpp"
 #include "carom/world/update_contacts.hpp"
 
@@ -15,13 +17,19 @@ namespace {
 
 // How far a point should move along the normal in this step; zero for most of them. One that
 // carries is closed again if it has come off by less than a gap.
-Real wantedWay(const PairSlot& pair, int point, Real gap) {
-  // Deeper overlaps than this come apart over several steps, lest bodies jump.
-  constexpr Real kAtOnce = 1e-4, kShare = 0.2;
+Real wantedWay(const WorldState& state, const PairSlot& pair, int point, Real gap) {
+  // Deeper overlaps than this come apart over several steps, lest bodies jump, small ones neither: as
+  // soft steps take them apart, at so much speed for each unit of depth. Where nobody looks inside of
+  // steps bodies lie in each other all the time, and come apart faster.
+  constexpr Real kAtOnce = 1e-4, kOfSize = 1e-3, kMost = 0.2;
+  const WorldSettings& settings = state.settings;
+  const Real atOnce = std::min(kAtOnce, kOfSize * state.bodies[at(pair.bodyB)].reach);
+  const Real share =
+      settings.continuous ? std::min(kMost, SoftSettings().rise * state.lastStep) : kMost;
   const Real separation = pair.manifold.points[at(point)].separation;
   if (separation > 0 && !(pair.force[at(point)] > 0 && separation <= gap)) return 0;
   const Real way = -separation;
-  return way > kAtOnce ? kAtOnce + kShare * (way - kAtOnce) : way;
+  return way > atOnce ? atOnce + share * (way - atOnce) : way;
 }
 
 // What rounding may leave of a separation.
@@ -47,7 +55,7 @@ bool projectPositions(WorldState& state, std::span<const Index> bodies,
     const PairSlot& pair = state.pairs[at(index)];
     bool one = false;
     for (int i = 0; i < pair.manifold.count; ++i) {
-      one = one || std::abs(wantedWay(pair, i, gap)) > littleWay(state, pair);
+      one = one || std::abs(wantedWay(state, pair, i, gap)) > littleWay(state, pair);
     }
     off += one ? 1 : 0;
   }
@@ -67,8 +75,8 @@ bool projectPositions(WorldState& state, std::span<const Index> bodies,
       // Points that are apart must not be pushed into each other.
       PatchPoint point = armsOf(state, pair, i);
       const Real separation = pair.manifold.points[at(i)].separation;
-      const bool closed = separation <= 0 || wantedWay(pair, i, gap) != 0;
-      point.target = closed ? wantedWay(pair, i, gap) : -separation;
+      const bool closed = separation <= 0 || wantedWay(state, pair, i, gap) != 0;
+      point.target = closed ? wantedWay(state, pair, i, gap) : -separation;
       addPoint(one, i, point);
     }
     if (one.patch.count == 0) continue;
@@ -79,7 +87,7 @@ bool projectPositions(WorldState& state, std::span<const Index> bodies,
     for (int k = 0; k < one.patch.count; ++k) {
       const Real target = one.patch.points[at(k)].target;
       work.blocks.back().holds[at(k)] = state.longSteps
-                                            ? wantedWay(pair, one.pointOf[at(k)], gap) < 0
+                                            ? wantedWay(state, pair, one.pointOf[at(k)], gap) < 0
                                             : target < 0 && -target <= gap;
     }
   }
@@ -118,6 +126,7 @@ bool projectPositions(WorldState& state, std::span<const Index> bodies,
     BodySlot& body = state.bodies[at(index)];
     const Velocity& way = work.moving[at(body.local)].velocity;
     body.position += way.linear;
+    payForWay(state, state.islands[at(body.island)], body, way.linear);
     const Matrix3 before = body.pose.R_WB;
     if (way.angular != Vector3::Zero()) {
       body.orientation = integrateOrientation(body.orientation, way.angular, 1);

@@ -3,7 +3,10 @@
 #include <bit>
 #include <cstdint>
 #include <cstring>
+#include <span>
 #include <vector>
+
+#include "carom/world/weigh_shapes.hpp"
 
 namespace carom::world {
 
@@ -58,6 +61,9 @@ std::shared_ptr<const ShapeData> sharedHull(WorldState& state, const ConvexHull&
   data->whole = hull;
   data->convex = hull;
   data->usesAxes = true;
+  ShapeDescription alone;
+  alone.shape = hull;
+  data->middle = weighShapes(std::span(&alone, 1)).center;
   forgetOld(state);
   state.hulls.emplace(number, data);
   return data;

@@ -1,12 +1,12 @@
 #include "carom/world/stay_in_room.hpp"
 
 #include <algorithm>
-#include <limits>
 
 #include "carom/core/cross.hpp"
 #include "carom/detection/signed_distance.hpp"
 #include "carom/toi/first_contact.hpp"
 #include "carom/world/collide_ground.hpp"
+#include "carom/world/keep_energy.hpp"
 #include "carom/world/move_body.hpp"
 #include "carom/world/next_contact.hpp"
 #include "carom/world/update_contacts.hpp"
@@ -89,90 +89,87 @@ void stayInRoom(WorldState& state, Index index, Real end) {
   body.clock = end;
 }
 
-void rememberMiddles(WorldState& state, std::span<const Index> bodies) {
-  state.work.middles.clear();
-  for (const Index index : bodies) state.work.middles.push_back(state.bodies[at(index)].position);
+void rememberStarts(WorldState& state, std::span<const Index> bodies) {
+  state.work.starts.clear();
+  for (const Index index : bodies) state.work.starts.push_back(state.bodies[at(index)].pose);
 }
 
 namespace {
 
-// How far a middle has to be lifted to be in front of a wall again.
+// How far a middle has to be moved to be in front of a wall again, and its way so far.
 struct Lift {
   Vector3 normal = Vector3::Zero();  // of the wall [1]
   Real way = 0;                      // none: it is in front [m]
+  Vector3 from = Vector3::Zero();    // where it would be, had it gone with the wall [m, world]
+  Vector3 to = Vector3::Zero();      // where it is [m, world]
 };
 
-// Through a face of a sheet, from its front. `from` is where the middle was, as the sheet goes.
-Lift liftOverFace(const WorldState& state, const PairSlot& pair, const Pose& G,
-                  const Vector3& from) {
+// Through a face of a sheet, from its front.
+void liftOverFace(const WorldState& state, const PairSlot& pair, const Pose& G, Lift& lift) {
   const ShapeSlot& shape = state.shapes[at(pair.shapeA)];
   const Ground& ground = *shape.data->ground;
   const GroundFace& face = ground.faces[at(shape.item)];
-  const Vector3& to = state.bodies[at(pair.bodyB)].position;
-  const Vector3 normal = G.R_WB * face.normal;
-  const Real height = normal.dot(to - pointToWorld(G, ground.vertices[at(face.corners[0])]));
-  if (height >= 0 || normal.dot(to - from) >= 0) return {};
-  if (!castRayAtFace(ground, shape.item, G, {from, to - from, 1}).hit) return {};
-  return {normal, touchGap(state, pair) - height};
+  const Vector3 normal = G.R_WB * face.normal, way = lift.to - lift.from;
+  const Real height = normal.dot(lift.to - pointToWorld(G, ground.vertices[at(face.corners[0])]));
+  if (height >= 0 || normal.dot(way) >= 0) return;
+  if (!castRayAtFace(ground, shape.item, G, {lift.from, way, 1}).hit) return;
+  lift.normal = normal;
+  lift.way = touchGap(state, pair) - height;
 }
 
 // Deeper into a solid than it was.
-Lift liftOutOf(const ShapeSlot& shape, const Pose& A, const Vector3& from, const Vector3& to) {
-  const auto depthAt = [&](const Vector3& middle, Vector3* normal) {
-    const Separation found =
-        signedDistance(shape.data->whole, A, Ball{0}, {Matrix3::Identity(), middle});
-    if (normal != nullptr) *normal = found.normal;
-    return std::max(Real(0), -found.separation);
+void liftOutOf(const WorldState& state, const PairSlot& pair, const Pose& A, Lift& lift) {
+  const ShapeSlot& shape = state.shapes[at(pair.shapeA)];
+  if (!holds(shape.swept, {lift.to, lift.to})) return;
+  const auto distanceAt = [&](const Vector3& middle) {
+    return signedDistance(shape.data->whole, A, Ball{0}, {Matrix3::Identity(), middle});
   };
+  const Separation now = distanceAt(lift.to);
+  if (now.separation >= 0) return;
+  const Real before = std::min(Real(0), distanceAt(lift.from).separation);
+  if (now.separation >= before) return;
+  lift.normal = now.normal;
+  lift.way = before - now.separation + touchGap(state, pair);
+}
+
+// What of the body of a pair has gone behind the wall of it.
+Lift liftOf(WorldState& state, const PairSlot& pair, const StepSpan& span) {
+  const BodySlot &a = state.bodies[at(pair.bodyA)], &b = state.bodies[at(pair.bodyB)];
+  if (isDynamic(a)) return {};
+  const ShapeSlot &wall = state.shapes[at(pair.shapeA)], &shape = state.shapes[at(pair.shapeB)];
+  const bool isGround = wall.data->ground != nullptr;
+  if (isGround && !wall.data->ground->isFace(wall.item)) return {};
+  const Pose& start = state.work.starts[at(b.local)];
   Lift lift;
-  const Real depth = depthAt(to, &lift.normal);
-  if (depth > 0) lift.way = depth - depthAt(from, nullptr);
+  lift.from = pointToWorld(placed(start, shape), shape.data->middle);
+  lift.to = pointToWorld(poseOfShape(b, shape), shape.data->middle);
+  Pose A = poseOfShape(a, wall);
+  if (a.kind == BodyKind::kinematic) {
+    const Vector3 own =
+        pointToBody(poseOfShape(bodyAt(state, pair.bodyA, span.start), wall), lift.from);
+    A = poseOfShape(bodyAt(state, pair.bodyA, span.end), wall);
+    lift.from = pointToWorld(A, own);
+  }
+  if (isGround) {
+    liftOverFace(state, pair, A, lift);
+  } else {
+    liftOutOf(state, pair, A, lift);
+  }
   return lift;
 }
 
-// How high the middle of the body is over the contacts of a pair, all of them as they were made.
-Real heightOver(const PairSlot& pair, const Vector3& middle) {
-  Real least = std::numeric_limits<Real>::infinity();
-  for (int i = 0; i < pair.manifold.count; ++i) {
-    const ManifoldPoint& point = pair.manifold.points[at(i)];
-    const Real height = pair.manifold.normal.dot(middle - point.position) + point.separation / 2;
-    least = std::min(least, height);
-  }
-  return least;
-}
-
 // Returns whether the body of the pair had to be held.
-bool holdMiddle(WorldState& state, const PairSlot& pair, const StepSpan& span, bool followed) {
-  if (isDynamic(state.bodies[at(pair.bodyA)])) return false;
-  const ShapeSlot& shape = state.shapes[at(pair.shapeA)];
-  const bool isGround = shape.data->ground != nullptr;
-  BodySlot& body = state.bodies[at(pair.bodyB)];
-  if (isGround ? !shape.data->ground->isFace(shape.item) : followed) return false;
-  if (body.shapes.size() != 1) return false;
-  const BodyState then = bodyAt(state, pair.bodyA, span.start),
-                  now = bodyAt(state, pair.bodyA, span.end);
-  const Pose before = poseOfShape(then, shape);
-  const Pose after = poseOfShape(now, shape);
-  const Vector3 from = pointToWorld(after, pointToBody(before, state.work.middles[at(body.local)]));
-  Lift lift;
-  if (isGround) {
-    lift = liftOverFace(state, pair, after, from);
-  } else {
-    // Who goes a short way is stopped by his contacts, unless others press him in.
-    constexpr Real kFar = 0.125;
-    const Real far = kFar * body.reach;
-    const bool isShort = (body.position - from).norm() <= far;
-    const Vector3 middle = pointToWorld(before, pointToBody(after, body.position));
-    if (isShort && heightOver(pair, middle) > far) return false;
-    lift = liftOutOf(shape, after, from, body.position);
-    if (lift.way > 0) lift.way += touchGap(state, pair);
-  }
+bool holdMiddle(WorldState& state, const PairSlot& pair, const StepSpan& span) {
+  const Lift lift = liftOf(state, pair, span);
   if (!(lift.way > 0)) return false;
-  body.position += lift.way * lift.normal;
+  BodySlot& body = state.bodies[at(pair.bodyB)];
+  const BodyState wall = bodyAt(state, pair.bodyA, span.end);
+  const Vector3 way = lift.way * lift.normal;
+  body.position += way;
   body.pose.p_WB = body.position;
-  const Velocity& wall = now.velocity;
-  const Vector3 against = body.velocity.linear - wall.linear -
-                          cross(wall.angular, Vector3(body.position - now.position));
+  payForWay(state, state.islands[at(body.island)], body, way);
+  const Vector3 against = body.velocity.linear - wall.velocity.linear -
+                          cross(wall.velocity.angular, Vector3(body.position - wall.position));
   const Real speed = lift.normal.dot(against);
   if (speed < 0) body.velocity.linear -= speed * lift.normal;
   return true;
@@ -181,7 +178,7 @@ bool holdMiddle(WorldState& state, const PairSlot& pair, const StepSpan& span, b
 }  // namespace
 
 void holdMiddles(WorldState& state, std::span<const Index> bodies, std::span<const Index> pairs,
-                 const StepSpan& span, bool followed) {
+                 const StepSpan& span) {
   // Long steps are taken back if they are wrong.
   if (state.longSteps || !state.settings.continuous) return;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
@@ -192,9 +189,7 @@ void holdMiddles(WorldState& state, std::span<const Index> bodies, std::span<con
   bool held = true;
   for (int round = 0; round < kRounds && held; ++round) {
     held = false;
-    for (const Index pair : pairs) {
-      held = holdMiddle(state, state.pairs[at(pair)], span, followed) || held;
-    }
+    for (const Index pair : pairs) held = holdMiddle(state, state.pairs[at(pair)], span) || held;
   }
 }
 

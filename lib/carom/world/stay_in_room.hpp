@@ -9,14 +9,13 @@
 // cannot be moved is on it and is no pair of the body. If so, the body stops where its box ends,
 // and loses the rest of its time: it keeps velocity and energy, and goes on in the next step.
 // A wall is also passed where contacts are not followed: by what turns by radians in a step that is
-// taken at once, and by what others press into a sheet, which holds nobody from behind. So after a
-// step the middle of each body must be on the side of the wall on which it was before: it is what a
-// ball of no size would be, which strikes there and does not bounce. That takes at least the energy
-// of the fall through the depth by which the body is lifted, and gives none.
+// taken at once, by what others press into a sheet, which holds nobody from behind, and where more
+// happens in a step than anybody goes after. So after a step the middle of each shape must be on the
+// side of the wall on which it was before: it is what a ball of no size would be, which strikes there
+// and does not bounce. Its body pays for being lifted with the speed along that way.
 // Why not find pairs again: it is rare, and islands would have to be joined in the middle of a step.
 // Source: bodies that lose time at impacts: Catto, Continuous collision, GDC 2013.
-// Not handled: bodies that can be moved; what they overlap is taken away later. The middle of a
-// compound may be outside of it, where a wall may pass; compounds are not held so.
+// Not handled: bodies that can be moved; what they overlap is taken away later.
 
 #include "carom/world/world_state.hpp"
 
@@ -33,16 +32,15 @@ struct StepSpan {
 /// \param end of the step [s] \ingroup world
 void stayInRoom(WorldState& state, Index index, Real end);
 
-/// Writes down where the middles of an island's bodies are. \param state of the world
+/// Writes down where an island's bodies are. \param state of the world
 /// \param bodies of the island \ingroup world
-void rememberMiddles(WorldState& state, std::span<const Index> bodies);
+void rememberStarts(WorldState& state, std::span<const Index> bodies);
 
-/// Puts bodies back whose middles have gone behind a wall since they were written down, and takes
-/// the speed from them with which they go on there. \param state of the world, the island at the end
-/// \param bodies of the island, as written down \param pairs of the island
-/// \param span from when to when [s] \param followed contacts have been followed in this step: then
-/// only sheets are looked at \ingroup world
+/// Puts bodies back of which the middle of a shape has gone behind a wall since they were written
+/// down, and takes the speed from them with which they go on there.
+/// \param state of the world, the island at the end \param bodies of the island, as written down
+/// \param pairs of the island \param span from when to when [s] \ingroup world
 void holdMiddles(WorldState& state, std::span<const Index> bodies, std::span<const Index> pairs,
-                 const StepSpan& span, bool followed);
+                 const StepSpan& span);
 
 }  // namespace carom::world

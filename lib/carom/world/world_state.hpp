@@ -44,8 +44,9 @@ inline constexpr Real kNever = std::numeric_limits<Real>::infinity();
 
 /// A shape that never changes; worlds and snapshots share it. \ingroup world
 struct ShapeData {
-  Shape whole;         ///< for distances, rays and times of impact
-  ConvexShape convex;  ///< the same for manifolds; of a half-space nothing
+  Shape whole;                       ///< for distances, rays and times of impact
+  ConvexShape convex;                ///< the same for manifolds; of a half-space nothing
+  Vector3 middle = Vector3::Zero();  ///< of its volume; of balls and boxes zero [m, shape]
   Real reach = 0;  ///< of a ball its radius: a ball that turns about its middle goes nowhere [m]
   bool isBall = false;       ///< a ball
   bool isHalfSpace = false;  ///< a half-space
@@ -170,9 +171,13 @@ struct IslandSlot {
   bool unsorted = false;  ///< something was added
   bool still = false;     ///< its last step changed nothing, so neither will the next
   Real subStep = 0;       ///< what its error asks for while the world advances; 0: not known [s]
-  Index awakeAt = kNone;  ///< its place in the list of those awake
-  std::vector<Index> bodies;  ///< dynamic ones, ascending
-  std::vector<Index> pairs;   ///< pairs that hold it together, and those with immovable bodies
+  bool energyKept = false;          ///< no energy can come into it in this step
+  Vector3 frame = Vector3::Zero();  ///< velocity of whom its energy is seen by [m/s, world]
+  Real motion = 0;                  ///< energy of motion at the start of the step, seen so [J]
+  Real lifted = 0;                  ///< what bodies could not pay of their ways out of others [J]
+  Index awakeAt = kNone;            ///< its place in the list of those awake
+  std::vector<Index> bodies;        ///< dynamic ones, ascending
+  std::vector<Index> pairs;  ///< pairs that hold it together, and those with immovable bodies
 };
 
 /// A patch that is being solved, and whose it is. \ingroup world
@@ -262,7 +267,7 @@ struct Workspace {
   std::vector<Real> approaches;          ///< speeds of these before the impact [m/s]
   ImpactMemory impactMemory;             ///< of impacts in several places at once
   SimultaneousImpacts impactRounds;      ///< what came of them
-  std::vector<Vector3> middles;          ///< of bodies at the start of their step [m, world]
+  std::vector<Pose> starts;              ///< of bodies at the start of their step [world]
   std::vector<BodyBefore> bodiesBefore;  ///< of an island that may be still
   std::vector<PairBefore> pairsBefore;   ///< of the same
   std::vector<SavedBody> tryBodies;      ///< bodies before a try

@@ -1,0 +1,40 @@
+#pragma once
+// What if a step would give bodies energy that nobody has?
+//
+// Contacts take energy or leave it. A step is right to the second order, and where bodies turn by
+// radians, contacts come one upon the other or sweeps end before they have gone, its error may be
+// energy.
+// Method: what holds an island does no work for whoever moves with it. So the energy of motion of
+// the bodies, as such an observer sees it, and what they have fallen through are added up at both
+// ends of the step. Where there is visibly more at the end all slow down alike, as he sees it.
+// What lies in something else is lifted out of it. It pays for that with the speed along its way:
+// a body that is found to have fallen too far has come too fast by just that.
+// Why not take less than what is visible: errors of both signs belong to any method of the second
+// order. Taking those of one sign away would brake a top.
+// Source: conservation of energy; as a bound of a step: Smith, Kaufman, Vouga, Tamstorf, Grinspun,
+// "Reflections on simultaneous impact", 2012.
+// Not handled: torques of the user, and walls that move against each other or turn: they work.
+
+#include <span>
+
+#include "carom/world/world_state.hpp"
+
+namespace carom::world {
+
+/// Begins to watch the energy of an island. \param state of the world
+/// \param island in state.islands, at the start of its step \ingroup world
+void watchEnergy(WorldState& state, IslandSlot& island);
+
+/// Takes from the bodies of an island what a step has given them. \param state of the world
+/// \param island at the end of its step, watched at the start
+/// \param starts where its bodies were then, one for each [world]
+/// \param duration of the step [s] \ingroup world
+void keepEnergy(WorldState& state, const IslandSlot& island, std::span<const Pose> starts,
+                Real duration);
+
+/// Lets a body pay for being moved out of an overlap against what acts on it.
+/// \param state of the world \param island of the body, watched \param body has been moved
+/// \param way by this [m, world] \ingroup world
+void payForWay(const WorldState& state, IslandSlot& island, BodySlot& body, const Vector3& way);
+
+}  // namespace carom::world
