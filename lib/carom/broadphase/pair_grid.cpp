@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <limits>
 
 namespace carom {
 namespace {
@@ -19,15 +20,6 @@ std::int64_t PairGrid::numberOf(Real coordinate) const {
   return whole - (place < static_cast<Real>(whole) ? 1 : 0);
 }
 
-std::uint64_t PairGrid::keyOf(const std::array<std::int64_t, 3>& cell) const {
-  std::uint64_t key = 0;
-  for (int k = 2; k >= 0; --k) {
-    const auto number = static_cast<std::uint64_t>(cell[k] - base_[k]);
-    key = key << bits_[k] | (number & ((std::uint64_t(1) << bits_[k]) - 1));
-  }
-  return key;
-}
-
 void PairGrid::chooseCell() {
   edges_.clear();
   for (const Aabb<3>& box : boxes_) {
@@ -38,67 +30,80 @@ void PairGrid::chooseCell() {
   if (edges_.empty()) return;
   const auto middle = edges_.begin() + static_cast<std::ptrdiff_t>(edges_.size() / 2);
   std::nth_element(edges_.begin(), middle, edges_.end());
-  cell_ = std::clamp(1.5 * *middle, Real(1e-300), Real(1e300));
+  cell_ = std::clamp(2 * *middle, Real(1e-300), Real(1e300));
   perCell_ = 1 / cell_;
 }
 
-bool PairGrid::isBig(const Aabb<3>& box) const {
-  std::int64_t cells = 1;
+PairGrid::Cells PairGrid::cellsOf(const Aabb<3>& box) const {
+  Cells cells;
+  std::int64_t count = 1;
   for (int k = 0; k < 3; ++k) {
     // Also where a side is infinite.
     if (!(box.low(k) * perCell_ >= -kLastCell) || !(box.high(k) * perCell_ <= kLastCell)) {
-      return true;
+      return cells;
     }
-    const std::int64_t along = numberOf(box.high(k)) - numberOf(box.low(k)) + 1;
-    if (along > kMostCells) return true;
-    cells *= along;
+    const std::int64_t low = numberOf(box.low(k)), high = numberOf(box.high(k));
+    if (high - low >= kMostCells) return cells;
+    cells.low[static_cast<std::size_t>(k)] = low;
+    cells.high[static_cast<std::size_t>(k)] = high;
+    count *= high - low + 1;
   }
-  return cells > kMostCells;
+  cells.areMany = count > kMostCells;
+  return cells;
 }
 
 void PairGrid::chooseKeys() {
-  Aabb<3> all;
-  for (std::size_t i = 0; i < boxes_.size(); ++i) {
-    if (!isBig_[i]) all = joined(all, boxes_[i]);
+  constexpr std::int64_t kFar = std::numeric_limits<std::int64_t>::max();
+  std::array<std::int64_t, 3> last = {-kFar, -kFar, -kFar};
+  base_ = {kFar, kFar, kFar};
+  for (const Cells& cells : cells_) {
+    if (cells.areMany) continue;
+    for (std::size_t k = 0; k < 3; ++k) {
+      base_[k] = std::min(base_[k], cells.low[k]);
+      last[k] = std::max(last[k], cells.high[k]);
+    }
   }
-  int bits = 0;
-  for (int k = 0; k < 3; ++k) {
-    base_[k] = numberOf(all.low(k));
-    const auto cells = static_cast<std::uint64_t>(numberOf(all.high(k)) - base_[k]);
-    bits_[k] = static_cast<int>(std::bit_width(cells));
-    bits += bits_[k];
+  std::array<int, 3> bits = {};
+  for (std::size_t k = 0; k < 3; ++k) {
+    bits[k] = static_cast<int>(std::bit_width(static_cast<std::uint64_t>(last[k] - base_[k])));
   }
-  if (bits > 63) bits_ = {21, 21, 21};
+  if (bits[0] + bits[1] + bits[2] > 63) bits = {21, 21, 21};
+  shifts_ = {0, bits[0], bits[0] + bits[1]};
+  for (std::size_t k = 0; k < 3; ++k) masks_[k] = (std::uint64_t(1) << bits[k]) - 1;
 }
 
 void PairGrid::enter(std::int32_t index) {
-  const Aabb<3>& box = boxes_[index];
-  std::array<std::int64_t, 3> low, high, at;
-  for (int k = 0; k < 3; ++k) {
-    low[k] = numberOf(box.low(k));
-    high[k] = numberOf(box.high(k));
-  }
-  for (at[2] = low[2]; at[2] <= high[2]; ++at[2]) {
-    for (at[1] = low[1]; at[1] <= high[1]; ++at[1]) {
-      for (at[0] = low[0]; at[0] <= high[0]; ++at[0]) entries_.push_back({keyOf(at), index});
+  const auto& [low, high, areMany] = cells_[index];
+  for (std::int64_t z = low[2]; z <= high[2]; ++z) {
+    const std::uint64_t layer = digitsOf(z, 2);
+    for (std::int64_t y = low[1]; y <= high[1]; ++y) {
+      const std::uint64_t row = layer | digitsOf(y, 1);
+      for (std::int64_t x = low[0]; x <= high[0]; ++x) {
+        entries_.push_back({row | digitsOf(x, 0), index});
+      }
     }
   }
 }
 
-// By counting eleven bits at a time, from the lowest; what all keys share is passed over. Stable,
-// so boxes stay in order within a cell.
+// By counting, as few bits at a time as eleven at most leave, from the lowest; what all keys share
+// is passed over. Stable, so boxes stay in order within a cell.
 void PairGrid::sort() {
-  constexpr int kBits = 11, kDigits = 1 << kBits;
+  constexpr int kMostBits = 11;
   std::uint64_t differ = 0;
   for (const Entry& entry : entries_) differ |= entry.key ^ entries_.front().key;
   other_.resize(entries_.size());
-  for (int shift = 0; shift < 64; shift += kBits) {
-    if ((differ >> shift & (kDigits - 1)) == 0) continue;
-    std::array<std::size_t, kDigits + 1> starts = {};
-    for (const Entry& entry : entries_) ++starts[(entry.key >> shift & (kDigits - 1)) + 1];
-    for (int digit = 0; digit < kDigits; ++digit) starts[digit + 1] += starts[digit];
+  const int all = static_cast<int>(std::bit_width(differ));
+  const int rounds = (all + kMostBits - 1) / kMostBits;
+  const int bits = rounds > 0 ? (all + rounds - 1) / rounds : 0;
+  const std::uint64_t digits = std::uint64_t(1) << bits;
+  std::array<std::uint32_t, (1 << kMostBits) + 1> starts;
+  for (int shift = 0; shift < all; shift += bits) {
+    if ((differ >> shift & (digits - 1)) == 0) continue;
+    std::fill_n(starts.begin(), digits + 1, 0);
+    for (const Entry& entry : entries_) ++starts[(entry.key >> shift & (digits - 1)) + 1];
+    for (std::uint64_t digit = 0; digit < digits; ++digit) starts[digit + 1] += starts[digit];
     for (const Entry& entry : entries_) {
-      other_[starts[entry.key >> shift & (kDigits - 1)]++] = entry;
+      other_[starts[entry.key >> shift & (digits - 1)]++] = entry;
     }
     entries_.swap(other_);
   }
@@ -109,15 +114,15 @@ void PairGrid::update(std::span<const Aabb<3>> boxes) {
   chooseCell();
   entries_.clear();
   big_.clear();
-  isBig_.resize(boxes.size());
+  cells_.clear();
   for (std::size_t i = 0; i < boxes.size(); ++i) {
-    isBig_[i] = isBig(boxes[i]);
-    if (isBig_[i]) big_.push_back(static_cast<std::int32_t>(i));
+    cells_.push_back(cellsOf(boxes[i]));
+    if (cells_.back().areMany) big_.push_back(static_cast<std::int32_t>(i));
   }
   if (big_.size() == boxes.size()) return;
   chooseKeys();
   for (std::size_t i = 0; i < boxes.size(); ++i) {
-    if (!isBig_[i]) enter(static_cast<std::int32_t>(i));
+    if (!cells_[i].areMany) enter(static_cast<std::int32_t>(i));
   }
   // Boxes that move are in some more cells or some less each time: room for that.
   if (4 * entries_.capacity() < 5 * entries_.size()) entries_.reserve(2 * entries_.size());
