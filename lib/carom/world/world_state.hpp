@@ -102,6 +102,7 @@ struct BodySlot {
   Index awakeAt = kNone;  ///< its place in the list of those awake
   Index local = kNone;    ///< its number while an island is worked on
   Index cluster = kNone;  ///< smallest body that it touches in this part of the step
+  Real clock = 0;         ///< time in this step at which the state below holds [s]
   Vector3 position = Vector3::Zero();      ///< centre of mass [m, world]
   Quaternion orientation;                  ///< inner frame to world
   Velocity velocity;                       ///< [world]
@@ -116,7 +117,6 @@ struct BodySlot {
   Real reach = 0;                          ///< no point is farther from the centre [m]
   std::vector<Index> shapes;               ///< its shapes
   std::optional<std::size_t> anchor;       ///< of its free rotation, in WorldState::anchors
-  Real clock = 0;                          ///< time in this step at which the state above holds [s]
   Vector3 acceleration = Vector3::Zero();  ///< from then on [m/s^2, world]
   Vector3 turning = Vector3::Zero();       ///< from then on [rad/s^2, world]
   Velocity atEnd;                          ///< velocity at the end of the step, if nothing happens
@@ -137,6 +137,7 @@ struct PairSlot {
   Index awakeAt = kNone;           ///< its place in the list of those awake
   Index island = kNone;            ///< that it holds together, or that of its movable body
   Index islandAt = kNone;          ///< its place in the island's list
+  Real madeAt = -1;                ///< when its manifold is of; negative: not in this step [s]
   std::uint64_t order = 0;         ///< the lists of islands rise with it
   bool touches = false;            ///< some point is closed, at the end of the last step
   bool sticks = false;             ///< friction held it in the last part of a step
@@ -149,7 +150,6 @@ struct PairSlot {
   Real restitution = 0;            ///< of the two materials [1]
   ManifoldCache cache;             ///< hints
   Manifold manifold;               ///< as of `madeAt`
-  Real madeAt = -1;                ///< time in this step; negative: not in this step [s]
   std::array<Real, 4> force = {};  ///< along the normal, of each point [N]
   Vector3 rub = Vector3::Zero();   ///< friction on B [N, world]
   Real twist = 0;                  ///< its torque about the normal [N m]
