@@ -11,8 +11,9 @@ namespace carom {
 namespace {
 
 // |b - a|^2 - (r + s)^2, exactly, of numbers divided by 2^exponent. With the largest below 2^200
-// and all others above 2^-300 no product over- or underflows.
-ExactSum exactGap(const Vector3& a, Real r, const Vector3& b, Real s, int& exponent) {
+// and all others above 2^-300 no product over- or underflows. It stays until the thread asks for the
+// next one, whose memory it is: balls of a heap ask in each step.
+const ExactSum& exactGap(const Vector3& a, Real r, const Vector3& b, Real s, int& exponent) {
   const Real largest = std::max({a.cwiseAbs().maxCoeff(), b.cwiseAbs().maxCoeff(), r, s});
   std::frexp(largest, &exponent);
   exponent -= 200;
@@ -20,7 +21,8 @@ ExactSum exactGap(const Vector3& a, Real r, const Vector3& b, Real s, int& expon
     const Real y = std::ldexp(x, -exponent);
     return std::abs(y) < 0x1p-300 ? Real(0) : y;
   };
-  ExactSum sum;
+  thread_local ExactSum sum;
+  sum.clear();
   for (int i = 0; i < 3; ++i) {
     const Real p = scaled(a(i)), q = scaled(b(i));
     sum.addProduct(p, p, 1);
@@ -57,7 +59,7 @@ Real preciseGap(const Vector3& centerA, Real radiusA, const Vector3& centerB, Re
   // exact one is thirty times slower.
   if (std::abs(plain) > 0x1p-10 * distance) return plain;
   int exponent = 0;
-  const ExactSum squares = exactGap(centerA, radiusA, centerB, radiusB, exponent);
+  const ExactSum& squares = exactGap(centerA, radiusA, centerB, radiusB, exponent);
   if (squares.sign() == 0) return 0;
   const Real sum = std::ldexp(distance, -exponent) +
                    (std::ldexp(radiusA, -exponent) + std::ldexp(radiusB, -exponent));

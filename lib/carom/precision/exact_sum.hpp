@@ -17,6 +17,11 @@ namespace carom {
 /// \ingroup precision
 class ExactSum {
  public:
+  /// Makes it zero again; the memory stays.
+  void clear() {
+    parts_.clear();
+  }
+
   /// Adds a term. \param term any finite number
   void add(Real term);
 
