@@ -120,7 +120,7 @@ TEST_CASE("Carom keeps what it promises for scenes with an answer") {
                                       {"I14_pushed", "mean square velocity [m^2/s^2]", 1e-20},
                                       {"S8_gas", "position 0.5 s [m]", 1e-13},
                                       {"S8_gas", "position 1.0 s [m]", 1e-13},
-                                      {"S8_gas", "position 2.0 s [m]", 6e-12},
+                                      {"S8_gas", "position 2.0 s [m]", 5.95e-13},
                                       {"S8_gas", "energy [1]", 1e-14},
                                       {"S9_ratio3", "velocity [m/s]", 1e-10},
                                       {"S9_ratio1000", "velocity [m/s]", 1e-10},
@@ -149,6 +149,16 @@ TEST_CASE("Carom keeps what it promises for scenes with an answer") {
     }
     CHECK(found);
   }
+}
+
+TEST_CASE("a top that stands on its tip precesses right to the square of the step") {
+  const auto errorAt = [](Real rate) {
+    const scenes::Run run = scenes::runScene(ourKind(), sceneNamed("N10_top"), 1 / rate);
+    return run.figures.front().value;  // of its axis [rad]
+  };
+  // With the inertia of the start alone it is 1.4e-2 and 7e-3, and half with half the step.
+  CHECK(errorAt(120) < 2e-4);
+  CHECK(errorAt(240) < 1e-5);
 }
 
 TEST_CASE("Carom gives every scene a few steps, ends in numbers, and in the same ones again") {

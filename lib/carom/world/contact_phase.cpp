@@ -323,6 +323,14 @@ void prepareBlocks(WorldState& state, Real duration, bool endKnown = false) {
   accelerate(state, duration, endKnown);
 }
 
+// Whether a body nutates by more than nobody would see, and not so far that a torque that seems to
+// hold it at the end would push it on the way there.
+bool turnsByPart(const WorldState& state, const BodySlot& body, Real duration) {
+  constexpr Real kUnseen = 1e-6, kFar = 0.1;  // [rad]
+  const Real turn = body.velocity.angular.norm() * duration;
+  return nutates(state, body) && turn > kUnseen && turn < kFar;
+}
+
 // A torque turns a body a little farther than it turns by itself, and the inertia with it. That is
 // known only when the contacts have been solved; without it a top is right to the first power of
 // the step. So they are solved once more, with the inertia of the end.
@@ -450,8 +458,15 @@ bool solvePhase(WorldState& state, const PhaseTask& task) {
     prepareBlocks(state, duration);
     settled = solveBlocks(state, scale);
   }
-  const auto isNutating = [&](Index body) { return nutates(state, state.bodies[at(body)]); };
-  if (state.longSteps && std::any_of(task.bodies.begin(), task.bodies.end(), isNutating)) {
+  // In usual steps only for who turns about a point: elsewhere there are larger errors.
+  const bool onTip = alone && work.patches.size() == 1 && work.patches.front().patch.count == 1 &&
+                     state.pairs[at(work.patches.front().pair)].sticks;
+  const auto asksForEnd = [&](Index index) {
+    const BodySlot& body = state.bodies[at(index)];
+    return state.longSteps ? nutates(state, body) : turnsByPart(state, body, duration);
+  };
+  if ((state.longSteps || onTip) &&
+      std::any_of(task.bodies.begin(), task.bodies.end(), asksForEnd)) {
     settled = solveWithEnd(state, task, scale);
   }
   // A point that parts and is held at its end moves on by the mean of both, against the force that
