@@ -18,7 +18,7 @@ constexpr std::size_t kFew = 64;
 void dropForcesOfEvents(WorldState& state, const IslandSlot& island) {
   for (const Index index : island.pairs) {
     PairSlot& pair = state.pairs[at(index)];
-    if (pair.bySoftSteps) continue;
+    if (pair.bySoftSteps || pair.leftOut) continue;
     pair.force = {};
     pair.rub = Vector3::Zero();
     pair.twist = 0;
@@ -54,9 +54,12 @@ void numberContacts(WorldState& state, std::span<const Index> islands) {
     return body.local;
   };
   for (const Index island : islands) {
-    for (const Index index : state.islands[at(island)].pairs) {
+    const std::span<const Index> all = state.islands[at(island)].pairs;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      fetchAhead(state, all, i);
+      const Index index = all[i];
       const PairSlot& pair = state.pairs[at(index)];
-      if (pair.manifold.count == 0) continue;
+      if (pair.leftOut || pair.manifold.count == 0) continue;
       pile.pairs.push_back(index);
       pile.edges.push_back({numberOf(pair.bodyA), numberOf(pair.bodyB)});
       pile.counts.push_back(static_cast<std::uint8_t>(pair.manifold.count));

@@ -92,9 +92,10 @@ bool canTouch(const WorldState& state, const QuietPair& pair) {
 }
 
 void leaveOut(PairSlot& pair) {
+  pair.madeAt = 0;
+  if (pair.leftOut) return;
   pair.manifold.count = 0;
   pair.force = {};
-  pair.madeAt = 0;
   pair.carried = false;
   pair.narrow = pair.leftOut = true;
 }
@@ -106,12 +107,21 @@ void leaveQuietPairs(WorldState& state, Real dt) {
   work.quiet.clear();
   const auto ofPile = [&](Index index) { return isOfPile(state, state.pairs[at(index)]); };
   if (state.longSteps || std::none_of(work.toMake.begin(), work.toMake.end(), ofPile)) return;
+  // Where nobody goes farther than surfaces are watched there is nothing to gain.
+  const auto goesFar = [&](Index index) {
+    const BodySlot& body = state.bodies[at(index)];
+    return body.straight + body.round > state.settings.contactMargin;
+  };
+  if (std::none_of(state.awakeBodies.begin(), state.awakeBodies.end(), goesFar)) return;
   work.quiet.resize(state.bodies.size());
   for (std::size_t i = 0; i < state.bodies.size(); ++i) {
     describe(state, state.bodies[i], dt, work.quiet[i]);
   }
   work.quietPairs.clear();
-  for (const Index index : work.toMake) note(state, index);
+  for (std::size_t i = 0; i < work.toMake.size(); ++i) {
+    fetchAhead(state, work.toMake, i);
+    note(state, work.toMake[i]);
+  }
   spread(work);
   work.toMake.clear();
   for (const QuietPair& pair : work.quietPairs) {

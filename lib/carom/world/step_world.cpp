@@ -47,11 +47,13 @@ void advanceFree(WorldState& state, Real dt) {
 }  // namespace
 
 void reportContacts(WorldState& state) {
-  for (const Index index : state.awakePairs) {
-    PairSlot& pair = state.pairs[at(index)];
+  for (std::size_t i = 0; i < state.awakePairs.size(); ++i) {
+    fetchAhead(state, state.awakePairs, i);
+    PairSlot& pair = state.pairs[at(state.awakePairs[i])];
     if (pair.madeAt < 0) continue;  // kept: as it was
+    if (pair.leftOut && !pair.touches) continue;
     bool touches = false;
-    for (int i = 0; i < pair.manifold.count; ++i) touches = touches || isClosed(state, pair, i);
+    for (int k = 0; k < pair.manifold.count; ++k) touches = touches || isClosed(state, pair, k);
     if (touches != pair.touches) {
       (touches ? state.begun : state.ended).push_back(eventOf(state, pair));
     }

@@ -395,20 +395,6 @@ bool isClosed(const WorldState& state, const PairSlot& pair, int point) {
   return separation <= touchGap(state, pair);
 }
 
-namespace {
-
-// Pairs lie far apart in memory: what a loop over them looks at first is asked for a few pairs
-// before it gets there.
-void fetchAhead(const WorldState& state, std::span<const Index> pairs, std::size_t i) {
-  constexpr std::size_t kAhead = 8;
-  if (i + kAhead >= pairs.size()) return;
-  const PairSlot& pair = state.pairs[at(pairs[i + kAhead])];
-  __builtin_prefetch(&pair);
-  __builtin_prefetch(&pair.madeAt);
-}
-
-}  // namespace
-
 void updateManifolds(WorldState& state, Real dt) {
   std::vector<Index>& toMake = state.work.toMake;
   toMake.clear();

@@ -127,7 +127,8 @@ struct BodySlot {
   Real restSpeed = 0;                      ///< the fastest of its points since then [m/s]
 };
 
-/// A pair of shapes that are near each other. \ingroup world
+/// A pair of shapes that are near each other. First comes what loops over all pairs ask, so that it
+/// lies in one line of a cache. \ingroup world
 struct PairSlot {
   bool alive = false;              ///< whether the place is taken
   Index shapeA = kNone;            ///< one shape; that of the immovable body, if there is one
@@ -139,6 +140,7 @@ struct PairSlot {
   Index islandAt = kNone;          ///< its place in the island's list
   Real madeAt = -1;                ///< when its manifold is of; negative: not in this step [s]
   std::uint64_t order = 0;         ///< the lists of islands rise with it
+  Real madeAt = -1;                ///< its manifold: time in this step, or negative: before it [s]
   bool touches = false;            ///< some point is closed, at the end of the last step
   bool sticks = false;             ///< friction held it in the last part of a step
   bool known = false;              ///< has been looked at in some step
@@ -368,6 +370,16 @@ inline void makeStale(WorldState& state, Index shape) {
   if (state.shapes[at(shape)].isStale) return;
   state.shapes[at(shape)].isStale = true;
   state.asked.stale.push_back(shape);
+}
+
+/// Asks memory for a pair that a loop will come to: pairs lie far apart. \param state of the world
+/// \param pairs numbers of those the loop goes through \param i where it is \ingroup world
+inline void fetchAhead(const WorldState& state, std::span<const Index> pairs, std::size_t i) {
+  constexpr std::size_t kAhead = 8;
+  if (i + kAhead >= pairs.size()) return;
+  const PairSlot& pair = state.pairs[at(pairs[i + kAhead])];
+  __builtin_prefetch(&pair);
+  __builtin_prefetch(&pair.manifold.count);
 }
 
 /// The id of a body. \param state of the world \param body its number \return its id
