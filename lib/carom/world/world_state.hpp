@@ -140,7 +140,6 @@ struct PairSlot {
   Index islandAt = kNone;          ///< its place in the island's list
   Real madeAt = -1;                ///< when its manifold is of; negative: not in this step [s]
   std::uint64_t order = 0;         ///< the lists of islands rise with it
-  Real madeAt = -1;                ///< its manifold: time in this step, or negative: before it [s]
   bool touches = false;            ///< some point is closed, at the end of the last step
   bool sticks = false;             ///< friction held it in the last part of a step
   bool known = false;              ///< has been looked at in some step
