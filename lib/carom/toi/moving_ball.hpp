@@ -17,10 +17,17 @@ struct MovingBall {
 };
 
 /// Refuses a ball that cannot be worked with.
-/// \param ball any ball \param name what it is called, for the message
+/// \param ball any ball \param what it is called, for the message
 /// \throws InvalidInput if a number is not finite or above 1e40 in size, or the radius negative
 /// \ingroup toi
-inline void requireUsable(const MovingBall& ball, const std::string& name) {
+inline void requireUsable(const MovingBall& ball, const char* what) {
+  // Almost every ball can be used, and names take longer than a look.
+  const auto fits = [](const auto& x) { return (x.array().abs() <= kLargestLength).all(); };
+  if (ball.radius >= 0 && ball.radius <= kLargestLength && fits(ball.centre) &&
+      fits(ball.velocity)) {
+    return;
+  }
+  const std::string name = what;
   requireNonNegative(ball.radius, (name + ".radius").c_str());
   requireCoordinate(ball.radius, (name + ".radius").c_str());
   requireCoordinates(ball.centre, (name + ".centre").c_str());

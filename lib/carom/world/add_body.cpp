@@ -321,6 +321,7 @@ BodyId addBody(WorldState& state, const BodyDescription& description) {
   refreshPose(body);
   body.restStart = body.pose;
   ++state.bodyCount;
+  state.kinematicCount += body.kind == BodyKind::kinematic ? 1 : 0;
   Grounds grounds = made;
   for (const ShapeDescription& shape : description.shapes) {
     addShapes(state, index, shape, frame, grounds);
@@ -351,6 +352,7 @@ void removeBody(WorldState& state, Index index) {
   body.shapes.clear();
   state.freeBodies.push_back(index);
   --state.bodyCount;
+  state.kinematicCount -= body.kind == BodyKind::kinematic ? 1 : 0;
 }
 
 }  // namespace carom::world

@@ -43,6 +43,8 @@ bool meetsStranger(WorldState& state, Index index, const Aabb<3>& way, Real end)
   };
   if (holds(shape.swept, way)) return false;
   state.broadPhase.immovableTree().overlap(way, look);
+  // To ask those that may move may bring a whole tree up to date.
+  if (found || state.kinematicCount == 0) return found;
   state.broadPhase.overlapMoving(way, [&](std::int32_t other) {
     const BodySlot& body = state.bodies[at(state.shapes[at(other)].body)];
     if (body.kind == BodyKind::kinematic) look(other);

@@ -309,6 +309,7 @@ struct WorldState {
   std::vector<Index> awakeIslands;       ///< islands that are awake
   BroadPhase broadPhase;                 ///< by shapes
   int bodyCount = 0;                     ///< bodies that are alive
+  int kinematicCount = 0;                ///< of these: kinematic ones
   int sleeping = 0;                      ///< bodies that sleep
   int islandCount = 0;                   ///< islands that are alive
   Real time = 0;                         ///< since the beginning [s]
