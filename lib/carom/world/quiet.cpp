@@ -13,8 +13,7 @@ namespace {
 void describe(const WorldState& state, const BodySlot& body, Real dt, QuietBody& quiet) {
   quiet = QuietBody();
   quiet.isDynamic = isDynamic(body);
-  const bool moves = body.alive && body.kind != BodyKind::immovable && !body.asleep;
-  if (!moves) return;
+  if (body.kind == BodyKind::immovable || body.asleep) return;
   quiet.ahead = dt * body.velocity.linear;
   quiet.bent = dt * dt / 2 * freeAcceleration(state, body);
   const auto isBall = [&](Index shape) { return isCentredBall(state.shapes[at(shape)]); };
@@ -65,13 +64,17 @@ void spread(Workspace& work) {
     }
   }
   if (!changed) return;
-  for (QuietBody& body : work.quiet) body.until = 0;
+  for (const QuietPair& pair : work.quietPairs) {
+    work.quiet[at(pair.bodyA)].until = work.quiet[at(pair.bodyB)].until = 0;
+  }
 }
 
 // Notes a pair; if it may touch at once, its bodies are not quiet.
 void note(WorldState& state, Index index) {
   const PairSlot& pair = state.pairs[at(index)];
   QuietBody &a = state.work.quiet[at(pair.bodyA)], &b = state.work.quiet[at(pair.bodyB)];
+  // What cannot be moved is A, and in no list of bodies.
+  if (state.bodies[at(pair.bodyA)].kind == BodyKind::immovable) a = QuietBody();
   const Real gap = gapOf(state.shapes[at(pair.shapeA)], a, state.shapes[at(pair.shapeB)], b) -
                    state.settings.contactMargin;
   const Real room = gap - wayOfQuiet(a, b), all = a.way + b.way;
@@ -104,7 +107,7 @@ void leaveOut(PairSlot& pair) {
 
 void leaveQuietPairs(WorldState& state, Real dt) {
   Workspace& work = state.work;
-  work.quiet.clear();
+  work.knowsQuiet = false;
   const auto ofPile = [&](Index index) { return isOfPile(state, state.pairs[at(index)]); };
   if (state.longSteps || std::none_of(work.toMake.begin(), work.toMake.end(), ofPile)) return;
   // Where nobody goes farther than surfaces are watched there is nothing to gain.
@@ -113,9 +116,10 @@ void leaveQuietPairs(WorldState& state, Real dt) {
     return body.straight + body.round > state.settings.contactMargin;
   };
   if (std::none_of(state.awakeBodies.begin(), state.awakeBodies.end(), goesFar)) return;
+  work.knowsQuiet = true;
   work.quiet.resize(state.bodies.size());
-  for (std::size_t i = 0; i < state.bodies.size(); ++i) {
-    describe(state, state.bodies[i], dt, work.quiet[i]);
+  for (const Index index : state.awakeBodies) {
+    describe(state, state.bodies[at(index)], dt, work.quiet[at(index)]);
   }
   work.quietPairs.clear();
   for (std::size_t i = 0; i < work.toMake.size(); ++i) {
@@ -134,7 +138,7 @@ void leaveQuietPairs(WorldState& state, Real dt) {
 }
 
 Real quietReach(const WorldState& state, const PairSlot& pair) {
-  if (state.work.quiet.empty()) return std::numeric_limits<Real>::infinity();
+  if (!state.work.knowsQuiet) return std::numeric_limits<Real>::infinity();
   const QuietBody &a = state.work.quiet[at(pair.bodyA)], &b = state.work.quiet[at(pair.bodyB)];
   return a.isDynamic && b.isDynamic ? wayOf(a, b) : std::numeric_limits<Real>::infinity();
 }

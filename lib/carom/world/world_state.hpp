@@ -248,7 +248,8 @@ struct Workspace {
   std::vector<Index> set;             ///< bodies that something has happened to
   std::vector<Index> setPairs;        ///< pairs of these
   std::vector<Index> toMake;          ///< pairs that want a manifold at the start of the step
-  std::vector<QuietBody> quiet;       ///< by body; empty unless something is a pile
+  std::vector<QuietBody> quiet;       ///< by body, those that are in `toMake`
+  bool knowsQuiet = false;            ///< of this step; else nothing is a pile, or nobody goes far
   std::vector<QuietPair> quietPairs;  ///< of these
   std::vector<Index> innerPairs;      ///< of these, pairs whose bodies are all in the set
   std::vector<OrderedPair> sorted;    ///< pairs of an island
