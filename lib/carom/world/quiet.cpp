@@ -51,19 +51,19 @@ bool isOfPile(const WorldState& state, const PairSlot& pair) {
 // quiet.
 void spread(Workspace& work) {
   constexpr int kMost = 64;
-  bool changed = true;
-  for (int round = 0; round < kMost && changed; ++round) {
-    changed = false;
+  bool isSpreading = true;
+  for (int round = 0; round < kMost && isSpreading; ++round) {
+    isSpreading = false;
     for (const QuietPair& pair : work.quietPairs) {
       QuietBody &a = work.quiet[at(pair.bodyA)], &b = work.quiet[at(pair.bodyB)];
       QuietBody& later = a.until < b.until ? b : a;
       const Real met = std::min(a.until, b.until) + pair.part;
       if (!later.isDynamic || met >= later.until) continue;
       later.until = met;
-      changed = true;
+      isSpreading = true;
     }
   }
-  if (!changed) return;
+  if (!isSpreading) return;
   for (const QuietPair& pair : work.quietPairs) {
     work.quiet[at(pair.bodyA)].until = work.quiet[at(pair.bodyB)].until = 0;
   }
