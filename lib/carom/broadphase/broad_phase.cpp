@@ -5,6 +5,7 @@
 
 #include "carom/broadphase/require_box.hpp"
 #include "carom/core/checks.hpp"
+#include "carom/core/reserve_ahead.hpp"
 
 namespace carom {
 namespace {
@@ -240,6 +241,12 @@ void BroadPhase::updateTrees(bool movesToo) {
     isStale_ = true;
     return;
   }
+  if (2 * static_cast<std::size_t>(movingSize_) >= bodies_.size()) {
+    // Either tree may come to hold them all, in a step that should take no memory.
+    const auto all = static_cast<std::int32_t>(bodies_.size());
+    for (Tree<3>* tree : {&moving_, &lively_}) tree->reserve(all);
+    reserveAhead(livelyBodies_, bodies_.size());
+  }
   calmDown();
   for (Tree<3>* tree : {&moving_, &lively_, &immovable_}) {
     if (2 * tree->unsettled() <= tree->size() && tree->worsening() <= settings_.rebuildAt) continue;
@@ -318,6 +325,9 @@ void BroadPhase::orderMoved() {
 }
 
 void BroadPhase::sortEvents() {
+  // Room to end all pairs in a later update, or to begin as many.
+  const auto pairs = static_cast<std::size_t>(pairs_.slots());
+  for (std::vector<Event>* list : {&begun_, &ended_, &removed_}) reserveAhead(*list, pairs);
   std::sort(begun_.begin(), begun_.end());
   std::sort(ended_.begin(), ended_.end());
   counters_.begun += static_cast<std::int64_t>(begun_.size());

@@ -4,6 +4,7 @@
 #include "carom/broadphase/tree_insert.hpp"
 #include "carom/broadphase/tree_refit.hpp"
 #include "carom/core/checks.hpp"
+#include "carom/core/reserve_ahead.hpp"
 #include "carom/core/variant.hpp"
 
 namespace carom {
@@ -19,10 +20,12 @@ bool same(const Aabb<Dim>& a, const Aabb<Dim>& b) {
 template <int Dim>
 void Tree<Dim>::reserve(std::int32_t items) {
   if (items <= 0) return;
-  nodes_.nodes.reserve(2 * static_cast<std::size_t>(items));
-  leafOf_.reserve(items);
-  leaves_.reserve(items);
-  scratch_.open.reserve(items);
+  const auto count = static_cast<std::size_t>(items);
+  if (leaves_.capacity() >= count) return;
+  nodes_.nodes.reserve(4 * count);
+  reserveAhead(leafOf_, count);
+  reserveAhead(leaves_, count);
+  reserveAhead(scratch_.open, count);
 }
 
 template <int Dim>

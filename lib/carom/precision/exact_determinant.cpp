@@ -55,9 +55,11 @@ Corners scaled(const Vector3& o, const Vector3& a, const Vector3& b, const Vecto
   return result;
 }
 
-ExactSum exactSum(const Corners& corners) {
+// Valid until the next call.
+const ExactSum& exactSum(const Corners& corners) {
   const auto& [o, a, b, c] = corners.points;
-  ExactSum sum;
+  thread_local ExactSum sum;  // a hull asks for thousands of them, one after the other
+  sum.clear();
   addDeterminant(sum, a, b, c, 1);
   if (!o.isZero(0)) {  // linear in each column: terms with two times o vanish
     addDeterminant(sum, o, b, c, -1);

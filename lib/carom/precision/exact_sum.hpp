@@ -17,6 +17,12 @@ namespace carom {
 /// \ingroup precision
 class ExactSum {
  public:
+  /// Nothing added yet, and room for most sums.
+  ExactSum() {
+    constexpr int kUsual = 16;
+    parts_.reserve(kUsual);
+  }
+
   /// Makes it zero again; the memory stays.
   void clear() {
     parts_.clear();

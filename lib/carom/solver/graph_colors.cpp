@@ -6,6 +6,7 @@
 #include <string>
 
 #include "carom/core/checks.hpp"
+#include "carom/core/reserve_ahead.hpp"
 #include "carom/core/variant.hpp"
 
 namespace carom {
@@ -45,13 +46,17 @@ int GraphColors::color(std::span<const ColorEdge> edges, std::int32_t movable,
                        std::vector<std::int32_t>& colors) {
   if (takesPlainPath()) return plainly(edges, movable, colors);
   constexpr std::int32_t kBits = 64;
+  const auto bodies = static_cast<std::size_t>(movable);
+  reserveAhead(colors, edges.size());
+  reserveAhead(taken_, bodies);
+  reserveAhead(next_, bodies);
   colors.assign(edges.size(), 0);
   int count = 0;
   for (const bool between : {true, false}) {
     // Edges between two bodies that move, then those with what stands still, in new colours.
     const int first = count;
-    taken_.assign(static_cast<std::size_t>(movable), 0);
-    next_.assign(static_cast<std::size_t>(movable), kBits);
+    taken_.assign(bodies, 0);
+    next_.assign(bodies, kBits);
     for (std::size_t e = 0; e < edges.size(); ++e) {
       const auto [a, b] = edges[e];
       const bool movesA = a < movable, movesB = b < movable;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "carom/core/reserve_ahead.hpp"
 #include "carom/solver/soft_rows.hpp"
 
 namespace carom {
@@ -180,7 +181,10 @@ void SoftSteps::place(std::span<const ColorEdge> contacts, std::span<const std::
   const auto bin = [&](std::size_t c) {
     return static_cast<std::size_t>(m.colors[c]) * kMost + (kMost - counts[c]);
   };
-  m.heads.assign(static_cast<std::size_t>(colors) * kMost, 0);
+  const std::size_t bins = static_cast<std::size_t>(colors) * kMost;
+  reserveAhead(m.heads, bins);
+  reserveAhead(m.firstBlock, bins);
+  m.heads.assign(bins, 0);
   m.rowsOnce = 0;
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     ++m.heads[bin(c)];
@@ -199,11 +203,13 @@ void SoftSteps::place(std::span<const ColorEdge> contacts, std::span<const std::
     blocks = (next + kBlockWidth - 1) / kBlockWidth;
   }
   m.firstBlock.push_back(blocks);
+  reserveAhead(m.order, static_cast<std::size_t>(blocks * kBlockWidth));
   m.order.assign(static_cast<std::size_t>(blocks * kBlockWidth), -1);
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     m.order[static_cast<std::size_t>(m.heads[bin(c)]++)] = static_cast<std::int32_t>(c);
   }
   withRows(m, [&](auto& rows) {
+    reserveAhead(rows.blocks, static_cast<std::size_t>(blocks));
     rows.blocks.resize(static_cast<std::size_t>(blocks));
     for (std::size_t b = 0; b < rows.blocks.size(); ++b) {
       auto& block = rows.blocks[b];

@@ -258,14 +258,16 @@ void makeRoom(Workspace& work, std::size_t bodies, std::size_t pairs, std::size_
 }
 
 // Memory for the first few bodies as if they all met: small scenes need none later. In larger ones
-// lists grow to what the largest island yet has needed.
+// there is enough for islands of a few hundred; larger ones are mostly piles, and lists grow to
+// what the largest yet has needed.
 void makeRoom(WorldState& state) {
-  constexpr std::size_t kMost = 32;
+  constexpr std::size_t kMost = 32, kMostOfIsland = 512;
   const std::size_t now = state.bodies.size(), bodies = 2 * now;
   const bool isPower = (now & (now - 1)) == 0;
-  if (!isPower || bodies > kMost) return;
+  if (!isPower || bodies > kMostOfIsland) return;
   const std::size_t pairs = 2 * bodies, points = 4 * pairs;
   makeRoom(state.work, bodies, pairs, points);
+  if (bodies > kMost) return;
   state.pairs.reserve(pairs);
   state.kept.reserve(pairs);
   state.awakePairs.reserve(pairs);

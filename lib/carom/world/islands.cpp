@@ -25,12 +25,14 @@ Index newIsland(WorldState& state) {
   Index island;
   if (state.freeIslands.empty()) {
     island = static_cast<Index>(state.islands.size());
+    state.islands.reserve(state.bodies.capacity());  // there cannot be more
     state.islands.emplace_back();
     // Room to list each of them, and lists for them, so that an island that begins, ends or wakes
     // takes no memory.
     const std::size_t most = state.islands.capacity();
     state.freeIslands.reserve(most);
     state.awakeIslands.reserve(most);
+    state.pile.islands.reserve(most);
     state.islandLists.provide(2 * most);
   } else {
     island = state.freeIslands.back();
@@ -136,8 +138,6 @@ void sortIsland(WorldState& state, IslandSlot& island) {
 void describe(WorldState& state, const IslandSlot& island) {
   Workspace& work = state.work;
   work.links.clear();
-  const std::size_t most = island.bodies.size() + island.pairs.size();
-  if (work.flags.capacity() < most) work.flags.reserve(2 * most);
   work.flags.assign(island.bodies.size(), 1);
   for (std::size_t i = 0; i < island.bodies.size(); ++i) {
     state.bodies[at(island.bodies[i])].local = static_cast<Index>(i);

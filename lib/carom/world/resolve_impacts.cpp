@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "carom/core/reserve_ahead.hpp"
 #include "carom/impulse/bounded_impact.hpp"
 #include "carom/impulse/change_velocities.hpp"
 #include "carom/impulse/simultaneous_impacts.hpp"
@@ -41,6 +42,7 @@ Approach approachOf(const WorldState& state, std::span<const Index> pairs, bool 
 void report(WorldState& state, Index index, int point, Real time, Real approach, Real impulse) {
   const PairSlot& pair = state.pairs[at(index)];
   const ContactEvent ids = eventOf(state, pair);
+  reserveAhead(state.impacts, std::max(state.impacts.size() + 1, 2 * state.bodies.size()));
   state.impacts.push_back({ids.shapeA, ids.shapeB, ids.bodyA, ids.bodyB, time,
                            pair.manifold.points[at(point)].position, pair.manifold.normal, approach,
                            impulse, 0});

@@ -32,14 +32,28 @@ Ways waysOf(const WorldState& state, const BodySlot& body, Real duration) {
           body.reach * std::min(turn, Real(2))};
 }
 
+// Room to list each pair, and the bodies of each.
+void makeRoomForLists(WorldState& state, std::size_t pairs) {
+  Workspace& work = state.work;
+  for (std::vector<Index>* list :
+       {&state.awakePairs, &work.toMake, &work.setPairs, &state.pile.pairs}) {
+    list->reserve(pairs);
+  }
+  for (std::vector<ContactEvent>* list : {&state.begun, &state.ended}) list->reserve(pairs);
+  work.links.reserve(pairs);
+  state.pile.edges.reserve(pairs);
+  state.pile.counts.reserve(pairs);
+  const std::size_t bodies = state.bodies.capacity();
+  for (std::vector<Index>* list : {&work.set, &state.pile.members}) list->reserve(bodies);
+  work.labels.reserve(bodies + pairs);
+  work.flags.reserve(bodies + pairs);
+}
+
 void beginPair(WorldState& state, Index index, const IndexPair& shapes) {
   if (at(index) >= state.pairs.size()) {
     state.pairs.resize(at(index) + 1);
     state.kept.resize(at(index) + 1);
-    // Room to list each of them.
-    for (std::vector<Index>* list : {&state.awakePairs, &state.work.toMake}) {
-      list->reserve(state.pairs.capacity());
-    }
+    makeRoomForLists(state, state.pairs.capacity());
   }
   state.kept[at(index)].known = false;
   PairSlot& pair = state.pairs[at(index)];
