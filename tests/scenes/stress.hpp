@@ -12,10 +12,11 @@
 // out costs m g v dt. That is allowed once per body and step. So does a pile, whose contacts nobody
 // follows: in a step it may lift bodies as fast as soft steps take overlap away. That it has lost
 // when they sank, and in all nothing is allowed for it. Bodies that overlap at the start may be lifted
-// by the height of the room, and gain no speed from it.
+// by the height of the room, and those that lie in a hill then by that of hills, and gain no speed
+// from it.
 // Bounds on places: the middle of a body is never behind a wall. Who looks at the ends of steps only
 // may be there by the way that the fastest goes in a step, and by what of that is left at the rate at
-// which overlap is taken away.
+// which overlap is taken away, if it is.
 // Bounds on steps: nobody falls by more than an eighth of his size in the first one.
 // Not handled: whether the motion is right (that is what all other tests ask).
 

@@ -229,6 +229,31 @@ RandomScene makeScene(std::uint64_t seed) {
   return scene;
 }
 
+// Who lies in a hill at the start: those of a sheet reach into the lowest cells. Asked of a world in
+// which nothing moves.
+std::vector<bool> whoIsInHill(const RandomScene& scene) {
+  std::vector<bool> inHill(scene.bodies.size(), false);
+  if (scene.walls != Walls::sheet) return inHill;
+  WorldSettings settings;
+  settings.gravity = Vector3::Zero();
+  settings.projectPositions = false;
+  World world(settings);
+  for (const BodyDescription& wall : scene.bounds) world.add(wall);
+  std::vector<BodyId> ids;
+  for (BodyDescription body : scene.bodies) {
+    body.velocity = body.angularVelocity = Vector3::Zero();
+    ids.push_back(world.add(body));
+  }
+  world.step(scene.dt);
+  for (const TouchingPair& pair : world.touching()) {
+    for (std::size_t i = 0; i < ids.size(); ++i) {
+      const bool isOfBody = pair.bodyA == ids[i] || pair.bodyB == ids[i];
+      if (isOfBody && pair.separation < -settings.touchTolerance) inHill[i] = true;
+    }
+  }
+  return inHill;
+}
+
 // What is watched while a scene runs.
 class Watch {
  public:
@@ -240,10 +265,15 @@ class Watch {
         heights_(bodies.size()),
         rises_(bodies.size()),
         before_(energy()) {
-    for (const BodyId body : bodies_) {
-      const Real height = world.mass(body) * weight() * 2 * scene_.room;
+    const std::vector<bool> inHill = whoIsInHill(scene_);
+    for (std::size_t i = 0; i < bodies_.size(); ++i) {
+      const Real height = world.mass(bodies_[i]) * weight() * 2 * scene_.room;
       scale_ += height;
-      if (scene_.start == Start::overlapping) lifted_ += height;
+      if (scene_.start == Start::overlapping) {
+        lifted_ += height;
+      } else if (inHill[i]) {
+        lifted_ += world.mass(bodies_[i]) * weight() * hill();
+      }
     }
     // Where nothing moves and nothing weighs, what rounding makes is beside a slow way of its own.
     for (const BodyId body : bodies_) {
@@ -275,8 +305,10 @@ class Watch {
       const Real outside = place.cwiseAbs().maxCoeff() - scene_.room;
       const Real slow = (v - scene_.roomVelocity).norm() + fastest_;
       // Who looks at the ends of steps only finds a wall when he is in it, and is lifted out of it
-      // at the rate of soft steps at least, though he may long have lost the speed of then.
-      const Real stays = std::max(Real(0), 1 - SoftSettings().rise * scene_.dt);
+      // at the rate of soft steps at least, though he may long have lost the speed of then. Who lifts
+      // nobody out of anything leaves him there.
+      const bool lifts = scene_.settings.projectPositions;
+      const Real stays = std::max(Real(0), 1 - (lifts ? SoftSettings().rise * scene_.dt : 0));
       late_[i] = std::max(stays * late_[i], slow * scene_.dt);
       if (outside > (scene_.settings.continuous ? 0 : late_[i]) + hill()) {
         wrong << "body " << i << " is " << outside << " m outside of the walls";

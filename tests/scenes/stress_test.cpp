@@ -16,6 +16,14 @@ TEST_CASE("random scenes keep their numbers, their walls and their energy") {
   }
 }
 
+TEST_CASE("random scenes that once gained energy or lost a body do so no more") {
+  for (const std::uint64_t seed : {18353, 38226, 40510, 62208, 67634, 67653, 67779, 86432, 87393,
+                                   88370, 88418, 89313, 98297, 98641}) {
+    INFO("seed " << seed);
+    CHECK(stress::runRandomScene(seed).failure == "");
+  }
+}
+
 TEST_CASE("hours, ratios, slivers, sizes, distance and overlap, each in short") {
   constexpr double kShare = 0.01;
   for (const stress::Trial& trial : stress::trials()) {

@@ -8,7 +8,9 @@
 // the bodies, as such an observer sees it, and what they have fallen through are added up at both
 // ends of the step. Where there is visibly more at the end all slow down alike, as he sees it.
 // What lies in something else is lifted out of it. It pays for that with the speed along its way:
-// a body that is found to have fallen too far has come too fast by just that.
+// a body that is found to have fallen too far has come too fast by just that. By a two hundredth of
+// its size in a step it is lifted though it cannot pay, since what rests in the ground must come out
+// of it. What is missing then all pay, and beyond that nobody is lifted.
 // Why not take less than what is visible: errors of both signs belong to any method of the second
 // order. Taking those of one sign away would brake a top.
 // Source: conservation of energy; as a bound of a step: Smith, Kaufman, Vouga, Tamstorf, Grinspun,
@@ -31,6 +33,11 @@ void watchEnergy(WorldState& state, IslandSlot& island);
 /// \param duration of the step [s] \ingroup world
 void keepEnergy(WorldState& state, const IslandSlot& island, std::span<const Pose> starts,
                 Real duration);
+
+/// How much of the ways by which bodies are to be moved out of overlaps can be paid for. That much
+/// is paid. \param state of the world; the ways stand for velocities in work.moving
+/// \param bodies all of an island that is watched, at least one \return share [1] \ingroup world
+Real paidShare(WorldState& state, std::span<const Index> bodies);
 
 /// Lets a body pay for being moved out of an overlap against what acts on it.
 /// \param state of the world \param island of the body, watched \param body has been moved

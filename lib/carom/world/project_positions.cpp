@@ -113,6 +113,12 @@ bool projectPositions(WorldState& state, std::span<const Index> bodies,
     if (change < 1e-15) break;
   }
 
+  const Real share = paidShare(state, bodies);
+  if (share < 1) {
+    for (MovingBody& body : work.moving) {
+      body.velocity = {share * body.velocity.linear, share * body.velocity.angular};
+    }
+  }
   for (std::size_t i = 0; i < work.blocks.size(); ++i) {
     const ContactBlock& block = work.blocks[i];
     PairSlot& pair = state.pairs[at(work.patches[i].pair)];

@@ -172,13 +172,16 @@ struct IslandSlot {
   bool unsorted = false;  ///< something was added
   bool still = false;     ///< its last step changed nothing, so neither will the next
   Real subStep = 0;       ///< what its error asks for while the world advances; 0: not known [s]
-  bool energyKept = false;          ///< no energy can come into it in this step
-  Vector3 frame = Vector3::Zero();  ///< velocity of whom its energy is seen by [m/s, world]
-  Real motion = 0;                  ///< energy of motion at the start of the step, seen so [J]
-  Real lifted = 0;                  ///< what bodies could not pay of their ways out of others [J]
-  Index awakeAt = kNone;            ///< its place in the list of those awake
-  std::vector<Index> bodies;        ///< dynamic ones, ascending
-  std::vector<Index> pairs;  ///< pairs that hold it together, and those with immovable bodies
+  bool energyKept = false;               ///< no energy can come into it in this step
+  Vector3 frame = Vector3::Zero();       ///< velocity of whom its energy is seen by [m/s, world]
+  Vector3 frameFalls = Vector3::Zero();  ///< and how that changes [m/s^2, world]
+  Real motion = 0;                       ///< energy of motion at the start of the step, seen so [J]
+  Real lent = 0;                         ///< what bodies may be lifted by though nobody pays [J]
+  Real lifted = 0;        ///< what they could not pay themselves of their ways out of others [J]
+  Real mayLift = 0;       ///< what it may still cost to move them out of others [J]
+  Index awakeAt = kNone;  ///< its place in the list of those awake
+  std::vector<Index> bodies;  ///< dynamic ones, ascending
+  std::vector<Index> pairs;   ///< pairs that hold it together, and those with immovable bodies
 };
 
 /// A patch that is being solved, and whose it is. \ingroup world

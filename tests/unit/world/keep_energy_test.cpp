@@ -111,3 +111,53 @@ TEST_CASE("rough boxes between walls gain nothing, by soft steps or where too mu
   }
   CHECK(most < 1e-5);
 }
+
+TEST_CASE("what lies deep in the ground gains no more in a step than it is lent, and comes out") {
+  // Alone, sliding, and with a neighbour that rolls.
+  const int kind = GENERATE(0, 1, 2);
+  World world(awake());
+  addPlane(world, 0, 0);
+  const BodyId box =
+      addBox(world, Vector3::Constant(0.5),
+             {.position = {0, 0, 0.2}, .velocity = {kind == 1 ? 1.0 : 0.0, 0, 0}, .friction = 0});
+  Real weights = world.mass(box) * kGravity;
+  if (kind == 2) {
+    const BodyId ball =
+        addBall(world, 0.5, {.position = {1, 0, 0.5}, .velocity = {-1, 3, 0}, .friction = 0});
+    weights += world.mass(ball) * kGravity;
+  }
+  const Real lent = weights * std::sqrt(0.75) / 200;
+  Real most = 0;
+  for (int step = 0; step < 240; ++step) {
+    const Real before = world.energy();
+    world.step(kStep);
+    most = std::max(most, world.energy() - before);
+  }
+  CHECK(most < 1.001 * lent);
+  CHECK(world.position(box).z() > 0.499);
+}
+
+TEST_CASE("bodies in flight that are pressed into each other pay, and keep their momentum") {
+  World world(awake());
+  std::vector<BodyId> boxes;
+  for (const Real side : {-1.0, 1.0}) {
+    boxes.push_back(addBox(world, Vector3::Constant(0.5),
+                           {.mass = 2 + side,
+                            .position = {0.4 * side, 0, 0},
+                            .velocity = {0, 100, 0},
+                            .angularVelocity = {10, 0, 0},
+                            .friction = 0}));
+  }
+  const Vector3 momentum = 4 * Vector3(0, 100, 0);
+  long kept = 0;
+  for (int step = 1; step <= 10; ++step) {
+    world.setForce(boxes[0], {1000, 0, 0}, Vector3::Zero());
+    world.setForce(boxes[1], {-1000, 0, 0}, Vector3::Zero());
+    world.step(kStep);
+    kept += world.counters().energiesKept;
+    Vector3 now = Vector3::Zero();
+    for (const BodyId box : boxes) now += world.mass(box) * world.velocity(box);
+    CHECK((now - momentum + 4 * step * kStep * kGravity * Vector3::UnitZ()).norm() < 1e-9);
+  }
+  CHECK(kept > 0);
+}
