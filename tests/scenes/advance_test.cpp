@@ -71,8 +71,8 @@ TEST_CASE("every compiler comes to the same last bit, whatever steps the error a
     scenes::Scene scene;
     std::uint64_t hash;
   };
-  std::vector<Known> all{{scenes::dominoScene(), 0x29B7F10A45C2A193},
-                         {scenes::rockingScene(), 0xD7DFCBFF87E95D88},
+  std::vector<Known> all{{scenes::dominoScene(), 0x735BE78B983348F4},
+                         {scenes::rockingScene(), 0xCF417958A286CBB5},
                          {scenes::masseScene(), 0x0D7B9D235FE2E10C},
                          {scenes::gasScene(), 0x579858DC046A2E6F},
                          {scenes::bounceScene(), 0x5D06BF8BF54A395D}};

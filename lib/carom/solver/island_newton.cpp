@@ -353,6 +353,7 @@ bool IslandNewton::factor(std::span<const ContactBlock> blocks) {
 // How much force is left over along the direction of the search; where springs are pressed no
 // further by going on it is zero.
 Real IslandNewton::slope(std::span<const ContactBlock> blocks, Real t) {
+  ++looks_;
   Real sum = 0;
   for (std::size_t n = 0; n < masses_.size(); ++n) {
     const BodyVector moved = velocity_[n] + t * step_[n];
@@ -629,7 +630,14 @@ NewtonResult IslandNewton::solve(std::span<MovingBody> bodies, std::span<Contact
     }
     for (int k = 0; k < block.rubs; ++k) pushAlong(block.tangents[at(k)], -block.rub[k], a, b);
   }
+  looks_ = 0;
   result.solved = iterate(bodies, blocks, limits, result);
+  // A look takes as long as four visits of its rows, and those of a round and of its matrix more.
+  constexpr std::int64_t kLook = 4, kRound = 8, kMatrix = 20, kProduct = 10;
+  std::int64_t rows = 0;
+  for (const ContactBlock& block : blocks) rows += block.count + block.rubs;
+  result.work = rows * (kLook * looks_ + kRound * result.rounds + kMatrix * result.factorisations) +
+                kProduct * result.factorisations * matrix_.work();
   if (result.solved) {
     // Points that turn within the step do a little work; what moves of itself does any.
     constexpr Real kLittle = 1e-3;

@@ -49,6 +49,7 @@ struct NewtonResult {
   bool solved = false;     ///< only rounding is left
   int factorisations = 0;  ///< matrices taken apart
   int rounds = 0;          ///< linear systems solved
+  std::int64_t work = 0;   ///< what all that cost, about, in visits of a row by a sweep
   Real error = 0;          ///< largest change of speed that a row still asks for [m/s]
 };
 
@@ -135,6 +136,7 @@ class IslandNewton {
   std::vector<Kept> kept_;            // impulses as they were
   std::vector<MovingBody> free_;      // bodies without impulses
   std::vector<Velocity> keptVelocity_;
+  std::int64_t looks_ = 0;  // at all blocks, of a solution
   bool symmetric_ = true;
   bool coupled_ = true;  // the limit of friction follows the pressure within a round
   bool glued_ = false;   // friction has no limit, nor needs pressure

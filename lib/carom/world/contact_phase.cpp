@@ -85,7 +85,8 @@ void moveArms(const WorldState& state, const PairSlot& pair, std::uint32_t id,
 
 }  // namespace
 
-bool solveBlocks(WorldState& state, Real scale) {
+bool solveBlocks(WorldState& state, Real scale, bool strikes) {
+  const Real fall = state.settings.gravity.norm() * state.lastStep;
   Workspace& work = state.work;
   const IslandLimits limits{.sweeps = {.least = state.settings.iterations,
                                        .rowBudget = static_cast<int>(std::min<std::int64_t>(
@@ -93,6 +94,7 @@ bool solveBlocks(WorldState& state, Real scale) {
                                        .speed = scale},
                             .direct = state.settings.directIslands,
                             .newton = work.mayFactor,
+                            .moves = strikes || scale > fall,
                             .directWork = state.settings.directWork};
   const IslandSolution done = solveIsland(work.newton, work.moving, work.blocks, limits);
   state.counters.rowsSolved += done.rows;
@@ -104,8 +106,22 @@ bool solveBlocks(WorldState& state, Real scale) {
   state.counters.islandsDirect += done.direct ? 1 : 0;
   state.counters.islandsGivenUp += gaveUp ? 1 : 0;
   state.counters.factorisations += done.factorisations;
+  state.counters.directWork += done.directWork;
   if (done.looked) work.newton.dropRounding(work.moving);
   return done.settled;
+}
+
+Real fastestOf(const Workspace& work, Real least) {
+  Real speed = least;
+  for (const MovingBody& body : work.moving) {
+    speed = std::max(speed, body.velocity.linear.norm());
+    const Real turning = body.mass.inverseInertia.trace();
+    if (!(turning > 0)) continue;
+    // An inertia is a mass times the square of a length.
+    const Real length = std::sqrt(3 * body.mass.inverseMass / turning);
+    speed = std::max(speed, length * body.velocity.angular.norm());
+  }
+  return std::max(speed, std::numeric_limits<Real>::min());
 }
 
 Real slowSpeed(const WorldState& state) {
@@ -250,15 +266,6 @@ void accelerate(WorldState& state, Real duration, bool endKnown = false) {
       moving.velocity.angular += duration * (moving.mass.inverseInertia * body.torque);
     }
   }
-}
-
-// The fastest thing in the set: what changes by less than a rounding of it has come to an end.
-Real scaleOf(const WorldState& state, Real duration) {
-  Real speed = state.settings.gravity.norm() * duration;
-  for (const MovingBody& body : state.work.moving) {
-    speed = std::max(speed, body.velocity.linear.norm());
-  }
-  return std::max(speed, std::numeric_limits<Real>::min());
 }
 
 // All bodies as they were at the start.
@@ -442,7 +449,7 @@ bool solvePhase(WorldState& state, const PhaseTask& task) {
   }
   if (work.patches.empty()) return true;
 
-  const Real scale = scaleOf(state, duration);
+  const Real scale = fastestOf(work, state.settings.gravity.norm() * duration);
   prepareBlocks(state, duration);
   for (const ContactBlock& block : work.blocks) {
     state.counters.normalRows += block.count;

@@ -43,9 +43,15 @@ bool solvePhase(WorldState& state, const PhaseTask& task);
 /// \param pairs of these \ingroup world
 void gather(WorldState& state, std::span<const Index> bodies, std::span<const Index> pairs);
 
+/// The fastest thing in the set: what changes by less than a rounding of it has come to an end. What
+/// turns on the spot is fast as well, because slips of its surface have roundings of that.
+/// \param work its moving bodies \param least if nothing moves [m/s] \return speed, positive [m/s]
+Real fastestOf(const Workspace& work, Real least);
+
 /// Solves the blocks that are prepared, and counts what it took. \param state of the world, gathered
-/// \param scale what is fast [m/s] \return whether they settled \ingroup world
-bool solveBlocks(WorldState& state, Real scale);
+/// \param scale what is fast [m/s] \param strikes whether this is an impact
+/// \return whether they settled \ingroup world
+bool solveBlocks(WorldState& state, Real scale, bool strikes = false);
 
 /// Speed below which nothing is an impact: bounces that are slower end within the shortest time.
 /// \param state of the world \return [m/s] \ingroup world

@@ -39,6 +39,7 @@ struct Counters {
   std::int64_t islandsDirect = 0;     ///< sets of contacts that were solved directly
   std::int64_t islandsGivenUp = 0;    ///< of which that found nothing
   std::int64_t factorisations = 0;    ///< matrices taken apart for that
+  std::int64_t directWork = 0;        ///< what these cost, about, in visits of a row
   std::int64_t firstContacts = 0;     ///< searches for a first contact
   std::int64_t impacts = 0;           ///< impacts resolved at their time
   std::int64_t slipChanges = 0;       ///< ends of slipping located

@@ -105,14 +105,15 @@ void bounceAll(WorldState& state, std::span<const Index> pairs, Real time) {
   }
 }
 
-// Solves the patches as they are, for no time at all.
-void solveNow(WorldState& state, Real scale) {
+// Solves the patches as they are, for no time at all. However slowly bodies meet, of what they move
+// with there are roundings in the speeds at which they do.
+void solveNow(WorldState& state, Real approach) {
   Workspace& work = state.work;
   work.blocks.clear();
   for (const WorkPatch& one : work.patches) {
     work.blocks.push_back(prepareBlock(one.patch, work.moving));
   }
-  solveBlocks(state, scale);
+  solveBlocks(state, fastestOf(work, approach), true);
 }
 
 // Whether pressure cannot turn a body: it is a ball about its middle.
