@@ -218,6 +218,55 @@ std::size_t eventsWorth(const WorldState& state, const IslandSlot& island) {
   return kFew + kEach * island.bodies.size();
 }
 
+// Whether an island may be a pile for what it takes otherwise. Bounces want their moments; without
+// friction sweeps come to an end; what is small and stands may stand; and of a few bodies each
+// moment counts, unless they are a few balls of a crowd. What soft steps leave of overlap is too
+// much for boxes and hulls that go on by events or stand still, and only their heaps may be piles.
+bool mayBePile(const WorldState& state, const IslandSlot& island) {
+  constexpr std::size_t kFewBodies = 8;  // are always worth their events, if there are no more
+  constexpr std::size_t kCrowd = 128;
+  const bool inCrowd = state.awakeBodies.size() > kCrowd;
+  if (island.bodies.size() < (inCrowd ? 2 : kFewBodies)) return false;
+  if (!rubs(state, island) || bounces(state, island)) return false;
+  const bool isOfBalls = std::all_of(island.pairs.begin(), island.pairs.end(), [&](Index index) {
+    const PairSlot& pair = state.pairs[at(index)];
+    return isRound(state.shapes[at(pair.shapeA)]) && isRound(state.shapes[at(pair.shapeB)]);
+  });
+  const bool isHeap = hasMoreClosed(state, island, state.settings.eventContacts);
+  if (isOfBalls == isHeap) return isHeap;
+  if (isOfBalls && inCrowd) return true;
+  // Steps of free fall that make a speed that is not small, and the share of bodies that have it.
+  const Real slow = isOfBalls ? 1 : 0.1, share = isOfBalls ? 0.5 : 0.1;
+  const Real fast = slow * state.settings.gravity.norm() * state.lastStep;
+  const auto isFast = [&](Index body) {
+    return state.bodies[at(body)].velocity.linear.squaredNorm() > fast * fast;
+  };
+  const auto moving = std::count_if(island.bodies.begin(), island.bodies.end(), isFast);
+  return static_cast<Real>(moving) > share * static_cast<Real>(island.bodies.size());
+}
+
+// What a pile would cost, in visits of a row.
+std::int64_t workOfPile(const WorldState& state, const IslandSlot& island) {
+  constexpr std::int64_t kBody = 16;
+  std::int64_t points = 0;
+  for (const Index pair : island.pairs) points += state.pairs[at(pair)].manifold.count;
+  return kBody * static_cast<std::int64_t>(island.bodies.size()) +
+         points * state.settings.shortSteps;
+}
+
+// What has been done so far, in visits of a row.
+std::int64_t workDone(const Counters& counters) {
+  constexpr std::int64_t kManifold = 8, kSearch = 16, kImpact = 16;
+  return counters.rowsSolved + counters.directWork + kManifold * counters.manifoldsMade +
+         kSearch * counters.firstContacts + kImpact * counters.impacts;
+}
+
+// Whether an island has taken so much in a step that it had better be a pile.
+bool isTooDear(const WorldState& state, const IslandSlot& island, std::int64_t before) {
+  const std::int64_t work = workDone(state.counters) - before;
+  return work > state.settings.pileWork * workOfPile(state, island) && mayBePile(state, island);
+}
+
 // Returns false if the contacts do not settle; then nothing but velocities has changed.
 bool advanceByEvents(WorldState& state, Index index, Real start, Real dt, int& events) {
   const IslandSlot& island = state.islands[at(index)];
@@ -230,10 +279,11 @@ bool advanceByEvents(WorldState& state, Index index, Real start, Real dt, int& e
       static_cast<std::size_t>(state.settings.eventsPerBody) * (island.bodies.size() + 1);
   constexpr int kHeapFor = 8;  // steps that an island of more events is taken at once
   const std::size_t worth = eventsWorth(state, island);
+  const std::int64_t workBefore = workDone(state.counters);
   for (std::size_t count = 0; count < 2 * most; ++count) {
     const Event event = nextEvent(state, island);
     if (!(event.time < dt)) break;
-    if (count >= worth && !state.longSteps) {
+    if (!state.longSteps && (count >= worth || isTooDear(state, island, workBefore))) {
       for (const Index body : island.bodies) moveBody(state, body, event.time);
       advanceAtOnce(state, index, event.time, dt);
       state.islands[at(index)].hardFor = kHeapFor;
@@ -306,31 +356,6 @@ bool isAsRemembered(const WorldState& state, const IslandSlot& island) {
   return island.hardFor == 0;
 }
 
-// Whether an island may be a pile for what it takes otherwise. Bounces want their moments; without
-// friction sweeps come to an end; what is small and stands may stand; and of a few bodies each
-// moment counts. What soft steps leave of overlap is too much for boxes and hulls that go on by
-// events or stand still, and only their heaps may be piles.
-bool mayBePile(const WorldState& state, const IslandSlot& island) {
-  constexpr std::size_t kFewBodies = 8;  // are always worth their events
-  if (island.bodies.size() < kFewBodies || !rubs(state, island) || bounces(state, island)) {
-    return false;
-  }
-  const bool isOfBalls = std::all_of(island.pairs.begin(), island.pairs.end(), [&](Index index) {
-    const PairSlot& pair = state.pairs[at(index)];
-    return isRound(state.shapes[at(pair.shapeA)]) && isRound(state.shapes[at(pair.shapeB)]);
-  });
-  const bool isHeap = hasMoreClosed(state, island, state.settings.eventContacts);
-  if (isOfBalls == isHeap) return isHeap;
-  // Steps of free fall that make a speed that is not small, and the share of bodies that have it.
-  const Real slow = isOfBalls ? 1 : 0.1, share = isOfBalls ? 0.5 : 0.1;
-  const Real fast = slow * state.settings.gravity.norm() * state.lastStep;
-  const auto isFast = [&](Index body) {
-    return state.bodies[at(body)].velocity.linear.squaredNorm() > fast * fast;
-  };
-  const auto moving = std::count_if(island.bodies.begin(), island.bodies.end(), isFast);
-  return static_cast<Real>(moving) > share * static_cast<Real>(island.bodies.size());
-}
-
 // Whether an island is solved by soft steps: many contacts, so many bodies that plastic impacts
 // cannot be looked for one by one, or one of the last steps took too much.
 bool isPile(const WorldState& state, const IslandSlot& island) {
@@ -339,22 +364,6 @@ bool isPile(const WorldState& state, const IslandSlot& island) {
     return !bounces(state, island);
   }
   return island.pileFor > 0 && mayBePile(state, island);
-}
-
-// What a pile would cost, in visits of a row.
-std::int64_t workOfPile(const WorldState& state, const IslandSlot& island) {
-  constexpr std::int64_t kBody = 16;
-  std::int64_t points = 0;
-  for (const Index pair : island.pairs) points += state.pairs[at(pair)].manifold.count;
-  return kBody * static_cast<std::int64_t>(island.bodies.size()) +
-         points * state.settings.shortSteps;
-}
-
-// What has been done so far, in visits of a row.
-std::int64_t workDone(const Counters& counters) {
-  constexpr std::int64_t kManifold = 8, kSearch = 16, kImpact = 16;
-  return counters.rowsSolved + kManifold * counters.manifoldsMade +
-         kSearch * counters.firstContacts + kImpact * counters.impacts;
 }
 
 // Looks whether an island that changes is a pile in this step; its manifolds are there after that.
@@ -401,8 +410,7 @@ IslandRun advanceUsual(WorldState& state, Index index, Real start, Real end) {
     state.work.rowsLeft = kSolutions * state.settings.rowBudget;
     advanceAtOnce(state, index, start, end);
   }
-  const std::int64_t work = workDone(state.counters) - workBefore;
-  if (work > state.settings.pileWork * workOfPile(state, island) && mayBePile(state, island)) {
+  if (isTooDear(state, island, workBefore)) {
     island.pileFor = state.settings.pileSteps;
     ++state.counters.islandsTooDear;
   }
