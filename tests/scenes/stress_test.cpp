@@ -24,6 +24,12 @@ TEST_CASE("random scenes that once gained energy or lost a body do so no more") 
   }
 }
 
+TEST_CASE(
+    "what rattles ends its step, and a touch that nothing acts on is not found again and again") {
+  CHECK(stress::runRandomScene(1727).tally.impacts < 5'000);
+  CHECK(stress::runRandomScene(51695).tally.searches < 200'000);
+}
+
 TEST_CASE("hours, ratios, slivers, sizes, distance and overlap, each in short") {
   constexpr double kShare = 0.01;
   for (const stress::Trial& trial : stress::trials()) {

@@ -104,7 +104,7 @@ enum class Touch { none, holds, strikes };
 
 struct Touched {
   Touch touch = Touch::none;
-  Real depth = 0;  // of what strikes [m]
+  Real depth = -kNever;  // of what strikes [m]
 };
 
 // How a body is held by a piece of ground at a time of this step.
@@ -120,21 +120,36 @@ Touched touchAt(WorldState& state, const PairSlot& pair, const Pose& pose, Real 
     if (point.separation > gap) continue;
     const Vector3 speed = then.velocity.linear +
                           cross(then.velocity.angular, Vector3(point.position - then.position));
-    if (manifold.normal.dot(speed) < -slowSpeed(state)) return {Touch::strikes, -point.separation};
-    found.touch = Touch::holds;
+    const bool strikes = manifold.normal.dot(speed) < -slowSpeed(state);
+    if (strikes) found.depth = std::max(found.depth, -point.separation);
+    if (found.touch != Touch::strikes) found.touch = strikes ? Touch::strikes : Touch::holds;
   }
   return found;
 }
 
+// How deep a strike must be to be one. A body that lies in the ground may seem to strike at once,
+// with what is none of the few points that are acted on: that counts when it is deeper than these.
+Real newDepth(WorldState& state, const PairSlot& pair, const Pose& pose, Real time) {
+  const Touched now = touchAt(state, pair, pose, time);
+  if (now.touch != Touch::strikes) return -kNever;
+  Real deepest = now.depth;
+  for (int i = 0; i < pair.manifold.count; ++i) {
+    deepest = std::max(deepest, -pair.manifold.points[at(i)].separation);
+  }
+  return deepest + 2 * touchGap(state, pair);
+}
+
 // The time of a strike that has been seen at `high` and not yet at `low`: not so late that the body
-// lies in the ground by then.
-Real strikeBetween(WorldState& state, const PairSlot& pair, const Pose& pose, Real low, Real high) {
+// lies in the ground by then, or deeper than it must for this to be one.
+Real strikeBetween(WorldState& state, const PairSlot& pair, const Pose& pose, Real low, Real high,
+                   Real level) {
   constexpr int kHalvings = 40;
+  const Real enough = std::max(Real(0), level) + 2 * touchGap(state, pair);
   Real depth = touchAt(state, pair, pose, high).depth;
-  for (int i = 0; i < kHalvings && depth > 2 * touchGap(state, pair); ++i) {
+  for (int i = 0; i < kHalvings && depth > enough; ++i) {
     const Real middle = (low + high) / 2;
     const Touched found = touchAt(state, pair, pose, middle);
-    const bool strikes = found.touch == Touch::strikes;
+    const bool strikes = found.depth > level;
     (strikes ? high : low) = middle;
     if (strikes) depth = found.depth;
   }
@@ -164,8 +179,11 @@ Real searchTurned(WorldState& state, const PairSlot& pair, const Pose& pose, Rea
   const Real part = partOfTurn(bodyAt(state, pair.bodyB, time), end - time);
   const bool held = isHeld(state, pair);
   for (Real later = time + part; later < end; later += part) {
-    if (touchAt(state, pair, pose, later).touch != Touch::strikes) continue;
-    return held ? later : strikeBetween(state, pair, pose, later - part, later);
+    const Touched found = touchAt(state, pair, pose, later);
+    if (found.touch != Touch::strikes) continue;
+    if (held) return later;
+    const Real level = newDepth(state, pair, pose, time);
+    if (found.depth > level) return strikeBetween(state, pair, pose, later - part, later, level);
   }
   return kNever;
 }
@@ -206,9 +224,13 @@ Real searchStrike(WorldState& state, const PairSlot& pair, const Pose& pose, Rea
       from = from + steady < end ? from + steady : end;
       continue;
     }
-    const Touch touch = touchAt(state, pair, pose, from + hit.time).touch;
-    if (touch == Touch::strikes) return strikeBetween(state, pair, pose, from, from + hit.time);
-    if (touch == Touch::holds) return kNever;
+    const Touched found = touchAt(state, pair, pose, from + hit.time);
+    if (found.touch == Touch::holds) return kNever;
+    if (found.touch == Touch::strikes) {
+      const Real level = newDepth(state, pair, pose, time);
+      const Real high = from + hit.time;
+      if (found.depth > level) return strikeBetween(state, pair, pose, from, high, level);
+    }
     // A body that tumbles is not quite where the search has taken it: look again from there.
     const bool again = hit.status == ImpactStatus::kHit && hit.time > 0;
     from += again ? hit.time : hit.time + (end - time) / kMost;
