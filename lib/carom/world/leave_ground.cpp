@@ -112,8 +112,8 @@ Touched touchAt(WorldState& state, const PairSlot& pair, const Pose& pose, Real 
   const ShapeSlot &a = state.shapes[at(pair.shapeA)], &b = state.shapes[at(pair.shapeB)];
   const BodyState then = bodyAt(state, pair.bodyB, time);
   const Real gap = touchGap(state, pair);
-  const Manifold manifold =
-      collideGround(*a.data->ground, a.item, pose, b.data->convex, poseOfShape(then, b), gap);
+  const Manifold manifold = collideGround(*a.data->ground, a.item, pose, b.data->convex,
+                                          poseOfShape(state.bodies[at(pair.bodyB)], then, b), gap);
   Touched found;
   for (int i = 0; i < manifold.count; ++i) {
     const ManifoldPoint& point = manifold.points[at(i)];
@@ -256,7 +256,8 @@ Real nextGroundContact(WorldState& state, Index index, Real time, Real end, Real
   }
   const auto soon = [&](Real later) { return later < end - time ? time + later : kNever; };
   if (ground.isFace(a.item)) {
-    const Real height = heightOverFace(ground, a.item, pose, b.data->convex, poseOfShape(now, b));
+    const Real height = heightOverFace(ground, a.item, pose, b.data->convex,
+                                       poseOfShape(state.bodies[at(pair.bodyB)], now, b));
     // Too far in front, or so far behind that it cannot come in front of the plane before.
     if (height > way || height < -way - gap) return kNever;
     // On its plane, here or beside it: what of the body is over the face is followed.

@@ -45,10 +45,16 @@ struct BodyState {
   Velocity velocity;                   ///< [world]
 };
 
-/// Where a shape of a body at some moment is. \param body at that moment
-/// \param shape one of its shapes \return world from shape \ingroup world
-inline Pose poseOfShape(const BodyState& body, const ShapeSlot& shape) {
-  return placed(poseOf(body.orientation, body.position), shape);
+/// Where a shape of a body at some moment is. \param body whose, as it is now
+/// \param then the body at that moment \param shape one of its shapes
+/// \return world from shape; a ball about the middle of its body is not turned \ingroup world
+inline Pose poseOfShape(const BodySlot& body, const BodyState& then, const ShapeSlot& shape) {
+  const Quaternion &q = then.orientation, &now = body.orientation;
+  // Most bodies that are looked at do not turn, or it is all the same.
+  if (isCentredBall(shape) || (q.w == now.w && q.x == now.x && q.y == now.y && q.z == now.z)) {
+    return placed({body.pose.R_WB, then.position}, shape);
+  }
+  return placed(poseOf(q, then.position), shape);
 }
 
 /// How a body lies in the middle of a time, as far as its own turning takes it. \param body whose

@@ -59,7 +59,7 @@ Real nextOfPoints(const WorldState& state, const PairSlot& pair) {
 
 Sweep sweepOf(const BodySlot& body, const BodyState& now, const ShapeSlot& shape) {
   Sweep sweep;
-  sweep.start = poseOfShape(now, shape);
+  sweep.start = poseOfShape(body, now, shape);
   sweep.velocity = now.velocity.linear;
   sweep.angularVelocity = now.velocity.angular;
   if (!body.asleep) sweep.acceleration = body.acceleration;
@@ -108,7 +108,8 @@ Nearness nearnessAt(WorldState& state, const PairSlot& pair, Real time) {
   const ShapeSlot &a = state.shapes[at(pair.shapeA)], &b = state.shapes[at(pair.shapeB)];
   const BodyState A = bodyAt(state, pair.bodyA, time), B = bodyAt(state, pair.bodyB, time);
   const Separation found =
-      roundedDistance(a.data->whole, poseOfShape(A, a), b.data->whole, poseOfShape(B, b));
+      roundedDistance(a.data->whole, poseOfShape(state.bodies[at(pair.bodyA)], A, a), b.data->whole,
+                      poseOfShape(state.bodies[at(pair.bodyB)], B, b));
   const Vector3 point = (found.pointA + found.pointB) / 2;
   const Vector3 speed = B.velocity.linear + cross(B.velocity.angular, Vector3(point - B.position)) -
                         A.velocity.linear - cross(A.velocity.angular, Vector3(point - A.position));

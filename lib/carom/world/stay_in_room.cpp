@@ -55,9 +55,10 @@ bool meetsStranger(WorldState& state, Index index, const Aabb<3>& way, Real end)
 // Whether a body is within the boxes in which it was expected.
 bool isInside(WorldState& state, Index index, Real time) {
   const BodyState then = bodyAt(state, index, time);
-  for (const Index number : state.bodies[at(index)].shapes) {
+  const BodySlot& body = state.bodies[at(index)];
+  for (const Index number : body.shapes) {
     const ShapeSlot& shape = state.shapes[at(number)];
-    if (!holds(shape.swept, boundsOfShape(shape, poseOfShape(then, shape)))) return false;
+    if (!holds(shape.swept, boundsOfShape(shape, poseOfShape(body, then, shape)))) return false;
   }
   return true;
 }
@@ -148,8 +149,8 @@ Lift liftOf(WorldState& state, const PairSlot& pair, const StepSpan& span) {
   Pose A = poseOfShape(a, wall);
   if (a.kind == BodyKind::kinematic) {
     const Vector3 own =
-        pointToBody(poseOfShape(bodyAt(state, pair.bodyA, span.start), wall), lift.from);
-    A = poseOfShape(bodyAt(state, pair.bodyA, span.end), wall);
+        pointToBody(poseOfShape(a, bodyAt(state, pair.bodyA, span.start), wall), lift.from);
+    A = poseOfShape(a, bodyAt(state, pair.bodyA, span.end), wall);
     lift.from = pointToWorld(A, own);
   }
   if (isGround) {

@@ -172,20 +172,65 @@ void findPairs(WorldState& state) {
   }
 }
 
+// How far a body comes at most in this step, whatever strikes it.
+Real farthest(const BodySlot& body) {
+  return std::max(body.way, body.struck);
+}
+
+// Whether two bodies stay apart in a step, however they turn: who is not struck goes straight on,
+// who may be, any way. What is nearest of the way of one, as the other sees it.
+bool passEachOther(const WorldState& state, const PairSlot& pair, Real dt) {
+  const BodySlot &a = state.bodies[at(pair.bodyA)], &b = state.bodies[at(pair.bodyB)];
+  if (!isDynamic(a)) return false;  // walls and grounds are as wide as they like
+  // What pulls or carries a body turns it aside, too.
+  const Real pull = freeAcceleration(state, a).norm() + freeAcceleration(state, b).norm();
+  Real near = a.reach + b.reach + state.settings.contactMargin + pull * dt * dt;
+  Vector3 speed = Vector3::Zero();
+  const auto goes = [&](const BodySlot& body, Real sign) {
+    if (body.mayTurn) {
+      near += farthest(body);
+    } else {
+      speed += sign * body.velocity.linear;
+    }
+  };
+  goes(a, -1);
+  goes(b, 1);
+  const Vector3 apart = b.position - a.position;
+  const Real approach = -apart.dot(speed);
+  const Real when = approach > 0 ? std::min(approach / speed.squaredNorm(), dt) : 0;
+  return (apart + when * speed).squaredNorm() > near * near;
+}
+
+bool inPile(const WorldState& state, const BodySlot& body) {
+  return body.island != kNone && state.islands[at(body.island)].isPile;
+}
+
+// Whether the points of a pair are of interest in this step. Where nobody asks who is struck, and
+// in a pile, where contacts push without a blow, boxes that meet are all that is known.
+bool mayTouch(const WorldState& state, const PairSlot& pair, Real dt) {
+  if (!meets(state.shapes[at(pair.shapeA)].swept, state.shapes[at(pair.shapeB)].swept)) {
+    return false;
+  }
+  if (!state.settings.locateEvents || inPile(state, state.bodies[at(pair.bodyA)]) ||
+      inPile(state, state.bodies[at(pair.bodyB)])) {
+    return true;
+  }
+  return !passEachOther(state, pair, dt);
+}
+
 // Gives a body the room that it needs if another strikes it. Returns whether it had less.
 bool makeRoom(WorldState& state, const PairSlot& pair, Index striking, Index struck, Real dt) {
   const BodySlot& fast = state.bodies[at(striking)];
   BodySlot& slow = state.bodies[at(struck)];
   if (!isDynamic(slow) || slow.asleep || fast.kind == BodyKind::immovable) return false;
   // In a pile blows go from step to step.
-  if (slow.island != kNone && state.islands[at(slow.island)].isPile) return false;
+  if (inPile(state, slow)) return false;
   // As fast as a blow in the middle makes what stood; and no farther than a few neighbours, unless
   // the step is a long one, in which nobody asks again.
   const Real parts = isDynamic(fast) ? fast.weight / (fast.weight + slow.weight) : 1;
-  const Real blow =
-      (1 + pair.restitution) * parts * (fast.asleep ? 0 : std::max(fast.way, fast.struck));
+  const Real blow = (1 + pair.restitution) * parts * (fast.asleep ? 0 : farthest(fast));
   const Real thrown = state.longSteps ? blow : std::min(blow, 2 * slow.reach);
-  const Real room = std::max(slow.way, slow.struck);
+  const Real room = farthest(slow);
   if (thrown <= room + state.settings.contactMargin) return false;
   slow.struck = thrown;
   slow.kept = false;
@@ -203,14 +248,28 @@ bool isKept(const WorldState& state, const PairSlot& pair) {
   return pair.known && isKept(state.bodies[at(pair.bodyA)]) && isKept(state.bodies[at(pair.bodyB)]);
 }
 
-// What a pair gives room to. Bodies that got some are listed.
-void makeRoomIn(WorldState& state, const PairSlot& pair, Real dt) {
-  if (pair.island != kNone && state.islands[at(pair.island)].isPile) return;
-  if (isKept(state, pair)) return;
-  if (!meets(state.shapes[at(pair.shapeA)].swept, state.shapes[at(pair.shapeB)].swept)) return;
-  std::vector<Index>& struck = state.work.set;
-  if (makeRoom(state, pair, pair.bodyA, pair.bodyB, dt)) struck.push_back(pair.bodyB);
-  if (makeRoom(state, pair, pair.bodyB, pair.bodyA, dt)) struck.push_back(pair.bodyA);
+// What a pair gives room to, and what it may turn aside: these bodies are listed. Returns whether
+// one got more room.
+bool makeRoomIn(WorldState& state, const PairSlot& pair, Real dt) {
+  if (pair.island != kNone && state.islands[at(pair.island)].isPile) return false;
+  if (isKept(state, pair)) return false;
+  if (!meets(state.shapes[at(pair.shapeA)].swept, state.shapes[at(pair.shapeB)].swept)) {
+    return false;
+  }
+  BodySlot &a = state.bodies[at(pair.bodyA)], &b = state.bodies[at(pair.bodyB)];
+  // What is slow throws nobody out of his room.
+  if (2 * (farthest(a) + farthest(b)) <= state.settings.contactMargin) return false;
+  if (passEachOther(state, pair, dt)) return false;
+  const bool roomA = makeRoom(state, pair, pair.bodyB, pair.bodyA, dt);
+  const bool roomB = makeRoom(state, pair, pair.bodyA, pair.bodyB, dt);
+  const auto note = [&](BodySlot& body, Index index, bool room) {
+    if (!isDynamic(body) || body.asleep || (body.mayTurn && !room)) return;
+    body.mayTurn = true;
+    state.work.set.push_back(index);
+  };
+  note(a, pair.bodyA, roomA);
+  note(b, pair.bodyB, roomB);
+  return roomA || roomB;
 }
 
 // Blows go on through the pairs that there are, from those in the list on. Returns whether a body
@@ -218,9 +277,10 @@ void makeRoomIn(WorldState& state, const PairSlot& pair, Real dt) {
 bool makeRooms(WorldState& state, std::span<const Index> first, Real dt) {
   Workspace& work = state.work;
   work.set.clear();
-  for (const Index pair : first) makeRoomIn(state, state.pairs[at(pair)], dt);
-  const bool any = !work.set.empty();
-  // Only who got room can hand it on.
+  bool any = false;
+  const auto look = [&](Index pair) { any |= makeRoomIn(state, state.pairs[at(pair)], dt); };
+  for (const Index pair : first) look(pair);
+  // Only who was struck can hand it on.
   constexpr int kMost = 8;
   for (int round = 0; round < kMost && !work.set.empty(); ++round) {
     work.setPairs.clear();
@@ -231,7 +291,7 @@ bool makeRooms(WorldState& state, std::span<const Index> first, Real dt) {
       }
     }
     work.set.clear();
-    for (const Index pair : work.setPairs) makeRoomIn(state, state.pairs[at(pair)], dt);
+    for (const Index pair : work.setPairs) look(pair);
   }
   return any;
 }
@@ -243,6 +303,7 @@ void updatePairs(WorldState& state, Real dt) {
   for (const Index index : state.awakeBodies) {
     BodySlot& body = state.bodies[at(index)];
     body.clock = 0;
+    body.mayTurn = false;
     body.kept = body.struck == 0 && body.island != kNone && state.islands[at(body.island)].still;
     if (body.kept) continue;
     body.struck = 0;
@@ -379,7 +440,7 @@ void makeManifold(WorldState& state, Index index, Real time, Real rest) {
     if (body.clock == time || body.kind == BodyKind::immovable || body.asleep) {
       return poseOfShape(body, shape);
     }
-    return poseOfShape(bodyAt(state, number, time), shape);
+    return poseOfShape(body, bodyAt(state, number, time), shape);
   };
   const Pose A = poseNow(pair.bodyA, a), B = poseNow(pair.bodyB, b);
   const Real margin = marginOf(state, pair, waysOf(state, state.bodies[at(pair.bodyA)], rest),
@@ -426,8 +487,7 @@ void updateManifolds(WorldState& state, Real dt) {
       continue;
     }
     pair.known = true;
-    const ShapeSlot &a = state.shapes[at(pair.shapeA)], &b = state.shapes[at(pair.shapeB)];
-    if (meets(a.swept, b.swept)) {
+    if (mayTouch(state, pair, dt)) {
       for (const Index body : {pair.bodyA, pair.bodyB}) {
         if (!state.bodies[at(body)].asleep) continue;
         wakeBody(state, body);

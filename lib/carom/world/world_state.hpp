@@ -96,6 +96,7 @@ struct BodySlot {
   Real way = 0;           ///< how far its speed takes it in this step [m]
   Real straight = 0;      ///< how far it and what acts on it takes each of its points [m]
   Real round = 0;         ///< and how far its turning at most [m]
+  bool mayTurn = false;   ///< something may strike it in this step, and turn it aside
   bool byEnd = false;     ///< moves by its velocity at the end of the step
   bool kept = false;      ///< its island is still, and its boxes are those of the last step
   Index island = kNone;   ///< where it belongs; none: alone, or not dynamic
@@ -103,6 +104,7 @@ struct BodySlot {
   Index local = kNone;    ///< its number while an island is worked on
   Index cluster = kNone;  ///< smallest body that it touches in this part of the step
   Real clock = 0;         ///< time in this step at which the state below holds [s]
+  Real reach = 0;         ///< no point is farther from the centre [m]
   Vector3 position = Vector3::Zero();      ///< centre of mass [m, world]
   Quaternion orientation;                  ///< inner frame to world
   Velocity velocity;                       ///< [world]
@@ -114,7 +116,6 @@ struct BodySlot {
   Vector3 torque = Vector3::Zero();        ///< [N m, world]
   Vector3 centre = Vector3::Zero();        ///< centre of mass [m, the user's frame]
   Quaternion turned;                       ///< inner frame to the user's frame
-  Real reach = 0;                          ///< no point is farther from the centre [m]
   std::vector<Index> shapes;               ///< its shapes
   std::optional<std::size_t> anchor;       ///< of its free rotation, in WorldState::anchors
   Vector3 acceleration = Vector3::Zero();  ///< from then on [m/s^2, world]

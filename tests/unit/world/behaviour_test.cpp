@@ -460,3 +460,24 @@ TEST_CASE("a ball that nothing rubs is not turned by blows, not even by rounding
     }
   }
 }
+
+TEST_CASE("balls that pass each other are not looked at, whoever a blow turns aside is") {
+  using namespace carom_test;
+  const bool struck = GENERATE(false, true);
+  CAPTURE(struck);
+  World world(weightless());
+  // The first goes along x, far beside the third; the second turns it towards that.
+  const BodyId first =
+      addBall(world, 0.1, {.position = {0, 0, 0}, .velocity = {5, 0, 0}, .restitution = 1});
+  if (struck) addBall(world, 0.1, {.position = {0.35, -0.14, 0}, .restitution = 1});
+  const BodyId third = addBall(world, 0.1, {.position = {0.3, 0.3, 0}, .restitution = 1});
+  world.step(0.1);
+  // Their boxes meet, for a blow might send the first anywhere.
+  CHECK(world.counters().pairsAwake == (struck ? 3 : 1));
+  CHECK(world.counters().impacts == (struck ? 2 : 0));
+  CHECK((world.velocity(third).norm() > 0.1) == struck);
+  if (!struck) {
+    CHECK(world.counters().manifoldsMade == 0);
+    CHECK((world.position(first) - Vector3(0.5, 0, 0)).norm() < 1e-15);
+  }
+}
