@@ -220,21 +220,21 @@ std::size_t eventsWorth(const WorldState& state, const IslandSlot& island) {
 
 // Whether an island may be a pile for what it takes otherwise. Bounces want their moments; without
 // friction sweeps come to an end; what is small and stands may stand; and of a few bodies each
-// moment counts, unless they are a few balls of a crowd. What soft steps leave of overlap is too
-// much for boxes and hulls that go on by events or stand still, and only their heaps may be piles.
+// moment counts, unless they are some of a crowd. What soft steps leave of overlap is too much for
+// boxes and hulls that go on by events or stand still: only their heaps may be piles, and what moves
+// in a crowd.
 bool mayBePile(const WorldState& state, const IslandSlot& island) {
   constexpr std::size_t kFewBodies = 8;  // are always worth their events, if there are no more
   constexpr std::size_t kCrowd = 128;
   const bool inCrowd = state.awakeBodies.size() > kCrowd;
-  if (island.bodies.size() < (inCrowd ? 2 : kFewBodies)) return false;
+  if (!inCrowd && island.bodies.size() < kFewBodies) return false;
   if (!rubs(state, island) || bounces(state, island)) return false;
   const bool isOfBalls = std::all_of(island.pairs.begin(), island.pairs.end(), [&](Index index) {
     const PairSlot& pair = state.pairs[at(index)];
     return isRound(state.shapes[at(pair.shapeA)]) && isRound(state.shapes[at(pair.shapeB)]);
   });
   const bool isHeap = hasMoreClosed(state, island, state.settings.eventContacts);
-  if (isOfBalls == isHeap) return isHeap;
-  if (isOfBalls && inCrowd) return true;
+  if (isOfBalls ? isHeap || inCrowd : !isHeap && !inCrowd) return isOfBalls;
   // Steps of free fall that make a speed that is not small, and the share of bodies that have it.
   const Real slow = isOfBalls ? 1 : 0.1, share = isOfBalls ? 0.5 : 0.1;
   const Real fast = slow * state.settings.gravity.norm() * state.lastStep;
