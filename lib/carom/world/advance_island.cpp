@@ -441,7 +441,9 @@ void advanceInRoom(WorldState& state, std::span<const Index> piles, Real start, 
     IslandSlot& island = state.islands[at(index)];
     watchEnergy(state, island);
     work.set.insert(work.set.end(), island.bodies.begin(), island.bodies.end());
-    work.setPairs.insert(work.setPairs.end(), island.pairs.begin(), island.pairs.end());
+    for (const Index pair : island.pairs) {
+      if (!isDynamic(state.bodies[at(state.pairs[at(pair)].bodyA)])) work.setPairs.push_back(pair);
+    }
   }
   rememberStarts(state, work.set);
   advancePiles(state, piles, start, end);

@@ -110,6 +110,7 @@ namespace {
 // Soft steps lift what lies in something else by ways that are no motion. How far a body may have
 // come by that: as fast as they pull, and by what overlaps there were [m].
 Real pulledHeight(const WorldState& state, const IslandSlot& island, Real duration) {
+  const Real most = SoftSettings().slowestPull * duration;
   Real overlaps = 0;
   for (const Index index : island.pairs) {
     const PairSlot& pair = state.pairs[at(index)];
@@ -119,8 +120,9 @@ Real pulledHeight(const WorldState& state, const IslandSlot& island, Real durati
       deepest = std::max(deepest, -pair.manifold.points[at(i)].separation);
     }
     overlaps += deepest;
+    if (overlaps >= most) return most;
   }
-  return std::min(overlaps, SoftSettings().slowestPull * duration);
+  return overlaps;
 }
 
 void slowDown(WorldState& state, const IslandSlot& island, const Vector3& frame, Real share) {

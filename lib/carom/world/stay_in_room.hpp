@@ -39,7 +39,8 @@ void rememberStarts(WorldState& state, std::span<const Index> bodies);
 /// Puts bodies back of which the middle of a shape has gone behind a wall since they were written
 /// down, and takes the speed from them with which they go on there.
 /// \param state of the world, the island at the end \param bodies of the island, as written down
-/// \param pairs of the island \param span from when to when [s] \ingroup world
+/// \param pairs of the island, those of walls at least \param span from when to when [s]
+/// \ingroup world
 void holdMiddles(WorldState& state, std::span<const Index> bodies, std::span<const Index> pairs,
                  const StepSpan& span);
 
