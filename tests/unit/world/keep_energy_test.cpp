@@ -161,3 +161,22 @@ TEST_CASE("bodies in flight that are pressed into each other pay, and keep their
   }
   CHECK(kept > 0);
 }
+
+TEST_CASE(
+    "what tumbles past a wall pays for the errors of its turning with that, not with its way") {
+  WorldSettings settings = weightless();
+  settings.locateEvents = false;
+  Real lost = 0, gained = 0;
+  for (int k = 0; k < 20; ++k) {
+    World world(settings);
+    addPlane(world, 0, 0);
+    const Vector3 spin(std::sin(k), std::cos(2 * k), std::sin(3 * k));
+    const BodyId plate =
+        addBox(world, {0.5, 0.3, 0.1},
+               {.position = {0, 0, 0.7}, .velocity = {10, 0, 0}, .angularVelocity = 10 * spin});
+    gained = std::max(gained, gainedBy(world, 60));
+    lost = std::max(lost, std::abs(world.velocity(plate).x() - 10));
+  }
+  CHECK(lost == 0);
+  CHECK(gained < 1e-6);
+}
