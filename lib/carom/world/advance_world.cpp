@@ -41,7 +41,7 @@ struct Group {
 
 // A body as it is, but for its anchor.
 SavedBody saved(const BodySlot& body) {
-  return {body.position, body.orientation, body.velocity, body.clock, {}};
+  return {body.position, body.lost, body.orientation, body.velocity, body.clock, {}};
 }
 
 void keep(const WorldState& state, const Group& group, std::vector<SavedBody>& bodies,
@@ -62,6 +62,7 @@ void putBack(WorldState& state, const Group& group, const SavedBody* bodies,
     dropAnchor(state, body);
     if (saved.anchor) giveAnchor(state, body, *saved.anchor);
     body.position = saved.position;
+    body.lost = saved.lost;
     body.orientation = saved.orientation;
     body.velocity = saved.velocity;
     body.clock = saved.clock;

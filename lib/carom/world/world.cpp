@@ -160,6 +160,7 @@ void World::place(BodyId id, const Vector3& position, const Quaternion& orientat
   dropAnchor(*state_, body);
   body.orientation = renormalize(hamiltonProduct(q_WB, body.turned));
   body.position = position + quaternionToMatrix(q_WB) * body.centre;
+  body.lost = Vector3::Zero();
   refreshPose(body);
   moveBoxes(*state_, index, 0);
   for (const Index shape : body.shapes) makeStale(*state_, shape);

@@ -118,6 +118,7 @@ struct BodySlot {
   Quaternion turned;                       ///< inner frame to the user's frame
   std::vector<Index> shapes;               ///< its shapes
   std::optional<std::size_t> anchor;       ///< of its free rotation, in WorldState::anchors
+  Vector3 lost = Vector3::Zero();          ///< of its position, by rounding in free flight [m]
   Vector3 acceleration = Vector3::Zero();  ///< from then on [m/s^2, world]
   Vector3 turning = Vector3::Zero();       ///< from then on [rad/s^2, world]
   Velocity atEnd;                          ///< velocity at the end of the step, if nothing happens
@@ -211,6 +212,7 @@ struct PairBefore {
 /// What of a body a try changes that may be taken back. \ingroup world
 struct SavedBody {
   Vector3 position = Vector3::Zero();  ///< [m, world]
+  Vector3 lost = Vector3::Zero();      ///< of that by rounding [m]
   Quaternion orientation;              ///< inner frame to world
   Velocity velocity;                   ///< [world]
   Real clock = 0;                      ///< time in this step [s]
