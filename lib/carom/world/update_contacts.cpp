@@ -182,9 +182,10 @@ Real farthest(const BodySlot& body) {
 bool passEachOther(const WorldState& state, const PairSlot& pair, Real dt) {
   const BodySlot &a = state.bodies[at(pair.bodyA)], &b = state.bodies[at(pair.bodyB)];
   if (!isDynamic(a)) return false;  // walls and grounds are as wide as they like
-  // What pulls or carries a body turns it aside, too.
+  // What pulls or carries a body turns it aside, too; and what touches may be apart by a little.
   const Real pull = freeAcceleration(state, a).norm() + freeAcceleration(state, b).norm();
-  Real near = a.reach + b.reach + state.settings.contactMargin + pull * dt * dt;
+  const Real margin = state.settings.contactMargin + state.settings.restTolerance;
+  Real near = a.reach + b.reach + margin + pull * dt * dt;
   Vector3 speed = Vector3::Zero();
   const auto goes = [&](const BodySlot& body, Real sign) {
     if (body.mayTurn) {
