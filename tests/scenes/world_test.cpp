@@ -120,7 +120,7 @@ TEST_CASE("Carom keeps what it promises for scenes with an answer") {
                                       {"I14_pushed", "mean square velocity [m^2/s^2]", 1e-20},
                                       {"S8_gas", "position 0.5 s [m]", 1e-14},
                                       {"S8_gas", "position 1.0 s [m]", 1e-14},
-                                      {"S8_gas", "position 2.0 s [m]", 1e-12},
+                                      {"S8_gas", "position 2.0 s [m]", 5.95e-13},
                                       {"S8_gas", "energy [1]", 1e-14},
                                       {"S9_ratio3", "velocity [m/s]", 1e-10},
                                       {"S9_ratio1000", "velocity [m/s]", 1e-10},
@@ -155,7 +155,7 @@ TEST_CASE("the rounding errors of hard balls do not grow with the number of step
   const std::map<std::string, Real> limits = {{"position 0.5 s [m]", 2e-15},
                                               {"position 1.0 s [m]", 1e-14},
                                               {"position 2.0 s [m]", 5.95e-13}};
-  for (const Real rate : {120, 240, 480, 960, 1920}) {
+  for (const Real rate : {60, 240, 960, 1920}) {
     INFO("steps a second " << rate);
     int found = 0;
     for (const auto& figure : scenes::runScene(ourKind(), sceneNamed("S8_gas"), 1 / rate).figures) {
@@ -239,12 +239,12 @@ TEST_CASE("every compiler comes to the same last bit after a second") {
   };
   std::vector<Known> all{{scenes::bounceScene(), 0x7B38F99B769FBF3E},
                          {scenes::masseScene(), 0x14A3B76A3D5EE6DB},
-                         {scenes::gasScene(), 0x6108A1B667B75E3F},
+                         {scenes::gasScene(), 0x13BF4C0FBB635CEA},
                          {scenes::cornerScene(), 0x66C37095669A18D0},
                          {scenes::rockingScene(), 0xBFD016434303FBD0},
                          {scenes::stackScene("G10", 10, 0), 0x2774435C09587C93},
-                         {scenes::pileScene(100), 0xC7E65C9E37BA2092},
-                         {scenes::balls216Scene("S3", true), 0x483C6F8BC1C7AA67}};
+                         {scenes::pileScene(100), 0xA755714E915CDAB9},
+                         {scenes::balls216Scene("S3", true), 0x61EFAB6EC8F03F15}};
   for (Known& known : all) {
     known.scene.duration = 1, known.scene.lookEvery = 1, known.scene.sleeps = false;
     INFO(known.scene.name);

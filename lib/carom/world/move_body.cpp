@@ -52,15 +52,6 @@ void turnFreely(WorldState& state, BodySlot& body, Real duration, BodyState& aft
   }
 }
 
-// How far the centre of a body goes in a time.
-Vector3 wayOf(const WorldState& state, const BodySlot& body, Real duration) {
-  const Vector3& a = body.acceleration;
-  const bool byMean = state.settings.trapezoidal && !body.byEnd;
-  const Vector3 mean = byMean || body.isFree ? Vector3(body.velocity.linear + duration / 2 * a)
-                                             : Vector3(body.velocity.linear + duration * a);
-  return duration * mean;
-}
-
 }  // namespace
 
 bool needsEnergyKept(const BodySlot& body, const Vector3& rate, Real duration) {
@@ -111,19 +102,23 @@ Vector3 freeAcceleration(const WorldState& state, const BodySlot& body) {
 
 BodyState bodyAt(WorldState& state, Index index, Real time) {
   BodySlot& body = state.bodies[at(index)];
-  BodyState after{body.position, body.orientation, body.velocity};
+  BodyState after{body.position, body.orientation, body.velocity, body.lost};
   const Real duration = time - body.clock;
   if (duration == 0 || body.asleep || body.kind == BodyKind::immovable) return after;
-  after.velocity.linear = body.velocity.linear + duration * body.acceleration;
-  const Vector3 way = wayOf(state, body, duration);
+  const Vector3& a = body.acceleration;
+  after.velocity.linear = body.velocity.linear + duration * a;
+  const bool byMean = state.settings.trapezoidal && !body.byEnd;
+  const Vector3 mean = byMean || body.isFree ? Vector3(body.velocity.linear + duration / 2 * a)
+                                             : after.velocity.linear;
+  const Vector3 way = duration * mean;
   if (body.isFree) {
-    after.position = body.position + (way + body.lost);
+    // Equal ways of equal steps are rounded alike, so that errors would add up.
+    addCarefully(after.position, after.lost, way);
     turnFreely(state, body, duration, after);
     return after;
   }
   after.position = body.position + way;
   after.velocity.angular = body.velocity.angular + duration * body.turning;
-  const bool byMean = state.settings.trapezoidal && !body.byEnd;
   const Vector3 turn = byMean ? Vector3(body.velocity.angular + duration / 2 * body.turning)
                               : after.velocity.angular;
   if (turn != Vector3::Zero()) {
@@ -147,12 +142,8 @@ void moveBody(WorldState& state, Index index, Real time, bool last) {
     RotorAnchor& anchor = state.anchors[*body.anchor];
     addCarefully(anchor.since, anchor.lost, time - body.clock);
   }
-  if (body.isFree) {
-    // Equal ways of equal steps are rounded alike, so that errors would add up.
-    addCarefully(body.position, body.lost, wayOf(state, body, duration));
-  } else {
-    body.position = after.position;
-  }
+  body.position = after.position;
+  body.lost = after.lost;
   body.orientation = after.orientation;
   body.velocity = last && !body.isFree ? body.atEnd : after.velocity;
   body.clock = time;

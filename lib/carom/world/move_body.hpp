@@ -43,6 +43,7 @@ struct BodyState {
   Vector3 position = Vector3::Zero();  ///< centre of mass [m, world]
   Quaternion orientation;              ///< inner frame to world
   Velocity velocity;                   ///< [world]
+  Vector3 lost = Vector3::Zero();      ///< what rounding took from the position [m]
 };
 
 /// Where a shape of a body at some moment is. \param body whose, as it is now

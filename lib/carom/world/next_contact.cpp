@@ -60,6 +60,7 @@ Real nextOfPoints(const WorldState& state, const PairSlot& pair) {
 Sweep sweepOf(const BodySlot& body, const BodyState& now, const ShapeSlot& shape) {
   Sweep sweep;
   sweep.start = poseOfShape(body, now, shape);
+  sweep.lost = now.lost;
   sweep.velocity = now.velocity.linear;
   sweep.angularVelocity = now.velocity.angular;
   if (!body.asleep) sweep.acceleration = body.acceleration;
@@ -74,8 +75,9 @@ TimeOfImpact searchFirst(const ShapeSlot& a, const Sweep& A, const ShapeSlot& b,
   if (a.data->isBall && b.data->isBall && A.acceleration == B.acceleration && a.centred &&
       b.centred) {
     // Seen from each other both move straight, whatever pulls at both.
-    return sweptBalls({a.data->reach, A.start.p_WB, A.velocity},
-                      {b.data->reach, B.start.p_WB, B.velocity}, duration);
+    const Vector3 apart = B.start.p_WB - A.start.p_WB + (B.lost - A.lost);
+    return sweptBalls({a.data->reach, Vector3::Zero(), A.velocity},
+                      {b.data->reach, apart, B.velocity}, duration);
   }
   const bool resting = A.velocity == Vector3::Zero() && A.angularVelocity == Vector3::Zero();
   if (a.data->isHalfSpace && b.data->isBall && b.centred && a.centred && resting) {
