@@ -21,8 +21,7 @@ template <int Dim>
 void Tree<Dim>::reserve(std::int32_t items) {
   if (items <= 0) return;
   const auto count = static_cast<std::size_t>(items);
-  if (leaves_.capacity() >= count) return;
-  nodes_.nodes.reserve(4 * count);
+  reserveAhead(nodes_.nodes, 2 * count);
   reserveAhead(leafOf_, count);
   reserveAhead(leaves_, count);
   reserveAhead(scratch_.open, count);

@@ -29,8 +29,9 @@ struct State {
 };
 
 /// Answers a(t, x, v): the accelerations [n x 1, m/s^2] at a time [s], for positions [n x 1, m] and
-/// velocities [n x 1, m/s]. A lambda should name its return type: `-> Coordinates`.
-/// \ingroup motion
+/// velocities [n x 1, m/s]. Of a body that is the sum of all forces on it over its mass. A lambda
+/// should name its return type: `-> Coordinates`.
+/// \source{12} \ingroup motion
 using Acceleration =
     std::function<Coordinates(Real time, const Coordinates& position, const Coordinates& velocity)>;
 

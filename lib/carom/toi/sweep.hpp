@@ -20,7 +20,6 @@ namespace carom {
 /// The motion of a rigid body from time zero on. \ingroup toi
 struct Sweep {
   Pose start;                                 ///< where it is at time zero
-  Vector3 lost = Vector3::Zero();             ///< what rounding took from that place [m, world]
   Vector3 velocity = Vector3::Zero();         ///< of the centre at time zero [m/s, world]
   Vector3 angularVelocity = Vector3::Zero();  ///< steady [rad/s, world]
   Vector3 acceleration = Vector3::Zero();     ///< of the centre, steady [m/s^2, world]

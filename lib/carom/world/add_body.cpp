@@ -230,22 +230,16 @@ void requireUsable(const WorldState& state, const BodyDescription& description) 
 
 namespace {
 
-// Memory for islands of so many bodies.
+// Memory to solve islands of so many bodies.
 void makeRoom(Workspace& work, std::size_t bodies, std::size_t pairs, std::size_t points) {
-  for (std::vector<Index>* ofBodies : {&work.members, &work.set}) ofBodies->reserve(bodies);
+  work.members.reserve(bodies);
   for (std::vector<Velocity>* ofBodies : {&work.bounced, &work.stopped}) ofBodies->reserve(bodies);
   work.moving.reserve(bodies);
   work.bodiesBefore.reserve(bodies);
-  // Each pair with what cannot be moved gives it a number.
-  work.labels.reserve(bodies + pairs);
-  work.flags.reserve(bodies + pairs);
-  for (std::vector<Index>* ofPairs : {&work.toMake, &work.innerPairs}) ofPairs->reserve(pairs);
-  work.setPairs.reserve(2 * pairs);  // a pair may be there for each of its bodies
   work.patches.reserve(pairs);
   work.blocks.reserve(pairs);
   work.sorted.reserve(pairs);
   work.aside.reserve(pairs);
-  work.links.reserve(pairs);
   work.pairsBefore.reserve(pairs);
   work.contacts.reserve(points);
   work.contactPairs.reserve(points);
@@ -267,17 +261,15 @@ void makeRoom(WorldState& state) {
   if (!isPower || bodies > kMostOfIsland) return;
   const std::size_t pairs = 2 * bodies, points = 4 * pairs;
   makeRoom(state.work, bodies, pairs, points);
+  makeRoomForLists(state, bodies, pairs);
   if (bodies > kMost) return;
   state.pairs.reserve(pairs);
   state.kept.reserve(pairs);
-  state.awakePairs.reserve(pairs);
   state.islands.reserve(bodies);
   state.freeIslands.reserve(bodies);
   state.awakeIslands.reserve(bodies);
   state.islandLists.provide(2 * bodies);
   state.islandLists.reserve(bodies + pairs);
-  state.begun.reserve(pairs);
-  state.ended.reserve(pairs);
   state.impacts.reserve(points);
   state.broadPhase.reserve(static_cast<std::int32_t>(bodies), static_cast<std::int32_t>(pairs));
 }

@@ -46,6 +46,7 @@ void gather(WorldState& state, std::span<const Index> bodies, std::span<const In
 /// The fastest thing in the set: what changes by less than a rounding of it has come to an end. What
 /// turns on the spot is fast as well, because slips of its surface have roundings of that.
 /// \param work its moving bodies \param least if nothing moves [m/s] \return speed, positive [m/s]
+/// \ingroup world
 Real fastestOf(const Workspace& work, Real least);
 
 /// Solves the blocks that are prepared, and counts what it took. \param state of the world, gathered

@@ -58,6 +58,34 @@ Real costOfHeight(const WorldState& state, const BodySlot& body, Real height) {
   return body.weight * freeAcceleration(state, body).norm() * height;
 }
 
+// Soft steps lift what lies in something else by ways that are no motion. How far a body may have
+// come by that: as fast as they pull, and by what overlaps there were [m].
+Real pulledHeight(const WorldState& state, const IslandSlot& island, Real duration) {
+  const Real most = SoftSettings().slowestPull * duration;
+  Real overlaps = 0;
+  for (const Index index : island.pairs) {
+    const PairSlot& pair = state.pairs[at(index)];
+    if (pair.leftOut) continue;
+    Real deepest = 0;
+    for (int i = 0; i < pair.manifold.count; ++i) {
+      deepest = std::max(deepest, -pair.manifold.points[at(i)].separation);
+    }
+    overlaps += deepest;
+    if (overlaps >= most) return most;
+  }
+  return overlaps;
+}
+
+void slowDown(WorldState& state, const IslandSlot& island, const Vector3& frame, Real share) {
+  ++state.counters.energiesKept;
+  for (const Index index : island.bodies) {
+    BodySlot& body = state.bodies[at(index)];
+    dropAnchor(state, body);
+    body.velocity.linear = frame + share * (body.velocity.linear - frame);
+    body.velocity.angular *= share;
+  }
+}
+
 }  // namespace
 
 void watchEnergy(WorldState& state, IslandSlot& island) {
@@ -97,45 +125,13 @@ void payForWay(const WorldState& state, IslandSlot& island, BodySlot& body, cons
   const Real length = way.norm();
   if (!island.energyKept || length <= state.settings.restTolerance) return;
   const Vector3 along = way / length;
-  const Real cost = 2 * body.mass.inverseMass * costOf(state, island, body, way);
+  const Real cost = costOf(state, island, body, way);
   if (!(cost > 0)) return;
   const Real speed = along.dot(body.velocity.linear - island.frame);
-  const Real left = std::max(Real(0), speed * speed - cost);
+  const Real left = std::max(Real(0), speed * speed - 2 * body.mass.inverseMass * cost);
   body.velocity.linear += (std::copysign(std::sqrt(left), speed) - speed) * along;
-  island.lifted += body.weight * (cost - (speed * speed - left)) / 2;
+  island.lifted += cost - body.weight * (speed * speed - left) / 2;
 }
-
-namespace {
-
-// Soft steps lift what lies in something else by ways that are no motion. How far a body may have
-// come by that: as fast as they pull, and by what overlaps there were [m].
-Real pulledHeight(const WorldState& state, const IslandSlot& island, Real duration) {
-  const Real most = SoftSettings().slowestPull * duration;
-  Real overlaps = 0;
-  for (const Index index : island.pairs) {
-    const PairSlot& pair = state.pairs[at(index)];
-    if (pair.leftOut) continue;
-    Real deepest = 0;
-    for (int i = 0; i < pair.manifold.count; ++i) {
-      deepest = std::max(deepest, -pair.manifold.points[at(i)].separation);
-    }
-    overlaps += deepest;
-    if (overlaps >= most) return most;
-  }
-  return overlaps;
-}
-
-void slowDown(WorldState& state, const IslandSlot& island, const Vector3& frame, Real share) {
-  ++state.counters.energiesKept;
-  for (const Index index : island.bodies) {
-    BodySlot& body = state.bodies[at(index)];
-    dropAnchor(state, body);
-    body.velocity.linear = frame + share * (body.velocity.linear - frame);
-    body.velocity.angular *= share;
-  }
-}
-
-}  // namespace
 
 void keepEnergy(WorldState& state, const IslandSlot& island, std::span<const Pose> starts,
                 Real duration) {

@@ -60,7 +60,6 @@ Real nextOfPoints(const WorldState& state, const PairSlot& pair) {
 Sweep sweepOf(const BodySlot& body, const BodyState& now, const ShapeSlot& shape) {
   Sweep sweep;
   sweep.start = poseOfShape(body, now, shape);
-  sweep.lost = now.lost;
   sweep.velocity = now.velocity.linear;
   sweep.angularVelocity = now.velocity.angular;
   if (!body.asleep) sweep.acceleration = body.acceleration;
@@ -70,12 +69,13 @@ Sweep sweepOf(const BodySlot& body, const BodyState& now, const ShapeSlot& shape
 
 namespace {
 
+// What rounding took from where B is, as seen from A, is known of balls alone [m].
 TimeOfImpact searchFirst(const ShapeSlot& a, const Sweep& A, const ShapeSlot& b, const Sweep& B,
-                         Real duration) {
+                         const Vector3& lost, Real duration) {
   if (a.data->isBall && b.data->isBall && A.acceleration == B.acceleration && a.centred &&
       b.centred) {
     // Seen from each other both move straight, whatever pulls at both.
-    const Vector3 apart = B.start.p_WB - A.start.p_WB + (B.lost - A.lost);
+    const Vector3 apart = B.start.p_WB - A.start.p_WB + lost;
     return sweptBalls({a.data->reach, Vector3::Zero(), A.velocity},
                       {b.data->reach, apart, B.velocity}, duration);
   }
@@ -224,8 +224,8 @@ Real nextContact(WorldState& state, Index index, Real time, Real end) {
     if (pair.manifold.count > 0 ? way < gap : way < state.settings.contactMargin) return kNever;
   }
   ++state.counters.firstContacts;
-  const TimeOfImpact hit =
-      searchFirst(a, sweepOf(bodyA, nowA, a), b, sweepOf(bodyB, nowB, b), duration);
+  const TimeOfImpact hit = searchFirst(a, sweepOf(bodyA, nowA, a), b, sweepOf(bodyB, nowB, b),
+                                       nowB.lost - nowA.lost, duration);
   const Real next = hit.status == ImpactStatus::kNoHit ? kNever : time + hit.time;
   if (pair.madeAt == time && next == time) {
     // The search finds a touch where the manifold has a little gap, which counts: it is what is

@@ -43,10 +43,6 @@ Real gapOf(const ShapeSlot& a, const QuietBody& ofA, const ShapeSlot& b, const Q
   return gaps.maxCoeff() + ofA.room + ofB.room;
 }
 
-bool isOfPile(const WorldState& state, const PairSlot& pair) {
-  return pair.island != kNone && state.islands[at(pair.island)].isPile;
-}
-
 // What is not quiet spreads from pair to pair until nothing changes, or for too long: then nobody is
 // quiet.
 void spread(Workspace& work) {

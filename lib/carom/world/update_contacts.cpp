@@ -32,28 +32,11 @@ Ways waysOf(const WorldState& state, const BodySlot& body, Real duration) {
           body.reach * std::min(turn, Real(2))};
 }
 
-// Room to list each pair, and the bodies of each.
-void makeRoomForLists(WorldState& state, std::size_t pairs) {
-  Workspace& work = state.work;
-  for (std::vector<Index>* list :
-       {&state.awakePairs, &work.toMake, &work.setPairs, &state.pile.pairs}) {
-    list->reserve(pairs);
-  }
-  for (std::vector<ContactEvent>* list : {&state.begun, &state.ended}) list->reserve(pairs);
-  work.links.reserve(pairs);
-  state.pile.edges.reserve(pairs);
-  state.pile.counts.reserve(pairs);
-  const std::size_t bodies = state.bodies.capacity();
-  for (std::vector<Index>* list : {&work.set, &state.pile.members}) list->reserve(bodies);
-  work.labels.reserve(bodies + pairs);
-  work.flags.reserve(bodies + pairs);
-}
-
 void beginPair(WorldState& state, Index index, const IndexPair& shapes) {
   if (at(index) >= state.pairs.size()) {
     state.pairs.resize(at(index) + 1);
     state.kept.resize(at(index) + 1);
-    makeRoomForLists(state, state.pairs.capacity());
+    makeRoomForLists(state, state.bodies.capacity(), state.pairs.capacity());
   }
   state.kept[at(index)].known = false;
   PairSlot& pair = state.pairs[at(index)];
@@ -106,6 +89,24 @@ void handOn(const Manifold& old, const std::array<Real, 4>& forces, Real near, P
 }
 
 }  // namespace
+
+void makeRoomForLists(WorldState& state, std::size_t bodies, std::size_t pairs) {
+  Workspace& work = state.work;
+  Pile& pile = state.pile;
+  for (std::vector<Index>* list : {&work.set, &pile.members}) list->reserve(bodies);
+  for (std::vector<Index>* list :
+       {&state.awakePairs, &work.toMake, &work.innerPairs, &pile.pairs}) {
+    list->reserve(pairs);
+  }
+  work.setPairs.reserve(2 * pairs);  // a pair may be there for each of its bodies
+  for (std::vector<ContactEvent>* list : {&state.begun, &state.ended}) list->reserve(pairs);
+  work.links.reserve(pairs);
+  pile.edges.reserve(pairs);
+  pile.counts.reserve(pairs);
+  // Each pair with what cannot be moved gives it a number.
+  work.labels.reserve(bodies + pairs);
+  work.flags.reserve(bodies + pairs);
+}
 
 bool mayMeet(const WorldState& state, Index a, Index b) {
   const ShapeSlot &p = state.shapes[at(a)], &q = state.shapes[at(b)];
@@ -202,18 +203,14 @@ bool passEachOther(const WorldState& state, const PairSlot& pair, Real dt) {
   return (apart + when * speed).squaredNorm() > near * near;
 }
 
-bool inPile(const WorldState& state, const BodySlot& body) {
-  return body.island != kNone && state.islands[at(body.island)].isPile;
-}
-
 // Whether the points of a pair are of interest in this step. Where nobody asks who is struck, and
 // in a pile, where contacts push without a blow, boxes that meet are all that is known.
 bool mayTouch(const WorldState& state, const PairSlot& pair, Real dt) {
   if (!meets(state.shapes[at(pair.shapeA)].swept, state.shapes[at(pair.shapeB)].swept)) {
     return false;
   }
-  if (!state.settings.locateEvents || inPile(state, state.bodies[at(pair.bodyA)]) ||
-      inPile(state, state.bodies[at(pair.bodyB)])) {
+  if (!state.settings.locateEvents || isOfPile(state, state.bodies[at(pair.bodyA)]) ||
+      isOfPile(state, state.bodies[at(pair.bodyB)])) {
     return true;
   }
   return !passEachOther(state, pair, dt);
@@ -225,7 +222,7 @@ bool makeRoom(WorldState& state, const PairSlot& pair, Index striking, Index str
   BodySlot& slow = state.bodies[at(struck)];
   if (!isDynamic(slow) || slow.asleep || fast.kind == BodyKind::immovable) return false;
   // In a pile blows go from step to step.
-  if (inPile(state, slow)) return false;
+  if (isOfPile(state, slow)) return false;
   // As fast as a blow in the middle makes what stood; and no farther than a few neighbours, unless
   // the step is a long one, in which nobody asks again.
   const Real parts = isDynamic(fast) ? fast.weight / (fast.weight + slow.weight) : 1;
@@ -252,7 +249,7 @@ bool isKept(const WorldState& state, const PairSlot& pair) {
 // What a pair gives room to, and what it may turn aside: these bodies are listed. Returns whether
 // one got more room.
 bool makeRoomIn(WorldState& state, const PairSlot& pair, Real dt) {
-  if (pair.island != kNone && state.islands[at(pair.island)].isPile) return false;
+  if (isOfPile(state, pair)) return false;
   if (isKept(state, pair)) return false;
   if (!meets(state.shapes[at(pair.shapeA)].swept, state.shapes[at(pair.shapeB)].swept)) {
     return false;
@@ -404,7 +401,7 @@ void startManifold(WorldState& state, Index index) {
       marginOf(state, pair, {bodyA.straight, bodyA.round}, {bodyB.straight, bodyB.round});
   pair.madeAt = 0;
   KeptManifold& kept = state.kept[at(index)];
-  const bool isSoft = pair.island != kNone && state.islands[at(pair.island)].isPile;
+  const bool isSoft = isOfPile(state, pair);
   const Real margin =
       isSoft ? std::min(most, state.settings.contactMargin + quietReach(state, pair)) : most;
   if (!isSoft || !mayBeCarried(state, pair)) {

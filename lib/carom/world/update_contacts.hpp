@@ -8,7 +8,8 @@
 // began and ended. A pair whose boxes meet gets a manifold that reaches as far as the two can come
 // nearer in the step; it holds its bodies together as an island, and wakes a body that slept.
 // The forces of the last step are handed on to the points that have the same names or places.
-// Why no manifold for boxes that do not meet: no point can touch in this step.
+// Why no manifold for boxes that do not meet: no point can touch in this step. Nor can one of bodies
+// that pass each other, as far as each of them may be turned aside.
 // Not handled: what the manifolds are for (contact_phase.hpp).
 
 #include "carom/world/world_state.hpp"
@@ -49,6 +50,11 @@ Aabb<3> boundsOfShape(const ShapeSlot& shape, const Pose& pose);
 /// Takes up where a body may be, so that pairs are found. \param state of the world
 /// \param body any \param dt length of the step [s] \ingroup world
 void moveBoxes(WorldState& state, Index body, Real dt);
+
+/// Gives the lists that a step writes anew room for a number of bodies and pairs, so that they ask
+/// for no memory later. \param state of the world \param bodies how many there may be
+/// \param pairs how many there may be \ingroup world
+void makeRoomForLists(WorldState& state, std::size_t bodies, std::size_t pairs);
 
 /// Whether two shapes may meet at all. \param state of the world \param a one \param b another
 /// \return false if of one body, both not dynamic, or kept apart by their filters \ingroup world

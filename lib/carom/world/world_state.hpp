@@ -347,6 +347,13 @@ inline bool isDynamic(const BodySlot& body) {
   return body.kind == BodyKind::dynamic;
 }
 
+/// Whether the last step of a body or a pair was one of a pile. \param state of the world
+/// \param one of its bodies or pairs \return true if so \ingroup world
+template <class Slot>
+bool isOfPile(const WorldState& state, const Slot& one) {
+  return one.island != kNone && state.islands[at(one.island)].isPile;
+}
+
 /// Whether a shape is a ball about the middle of its body: turning takes it nowhere.
 /// \param shape any \return true for such a ball \ingroup world
 inline bool isCentredBall(const ShapeSlot& shape) {
