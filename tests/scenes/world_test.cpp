@@ -271,6 +271,17 @@ TEST_CASE("how pairs are found, and who sleeps, changes no bit of ten balls besi
   }
 }
 
+TEST_CASE("who is thrown aside by little sees his next neighbour (S3)") {
+  // At this step a ball that was struck met a third one that nobody had looked for.
+  const scenes::Scene scene = sceneNamed("S3_inelastic");
+  const scenes::Run run = scenes::runScene(ourKind(), scene, 1.0 / 240);
+  for (const scenes::Figure& figure : run.figures) {
+    INFO(figure.name);
+    if (figure.name == "deepest [m]") CHECK(figure.value < 1e-9);
+    if (figure.name == "mean sum of squares [m^2]") CHECK(figure.value < 1e-18);
+  }
+}
+
 TEST_CASE("balls without friction that roll down on one another do not begin to turn") {
   scenes::Scene scene = sceneNamed("S3_inelastic");
   scene.duration = 1, scene.lookEvery = 1;

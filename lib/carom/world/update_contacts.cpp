@@ -229,7 +229,7 @@ bool makeRoom(WorldState& state, const PairSlot& pair, Index striking, Index str
   const Real blow = (1 + pair.restitution) * parts * (fast.asleep ? 0 : farthest(fast));
   const Real thrown = state.longSteps ? blow : std::min(blow, 2 * slow.reach);
   const Real room = farthest(slow);
-  if (thrown <= room + state.settings.contactMargin) return false;
+  if (thrown <= room + state.settings.restTolerance) return false;
   slow.struck = thrown;
   slow.kept = false;
   moveBoxes(state, struck, dt);
@@ -256,7 +256,7 @@ bool makeRoomIn(WorldState& state, const PairSlot& pair, Real dt) {
   }
   BodySlot &a = state.bodies[at(pair.bodyA)], &b = state.bodies[at(pair.bodyB)];
   // What is slow throws nobody out of his room.
-  if (2 * (farthest(a) + farthest(b)) <= state.settings.contactMargin) return false;
+  if (2 * (farthest(a) + farthest(b)) <= state.settings.restTolerance) return false;
   if (passEachOther(state, pair, dt)) return false;
   const bool roomA = makeRoom(state, pair, pair.bodyB, pair.bodyA, dt);
   const bool roomB = makeRoom(state, pair, pair.bodyA, pair.bodyB, dt);
