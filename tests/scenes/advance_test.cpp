@@ -71,8 +71,8 @@ TEST_CASE("every compiler comes to the same last bit, whatever steps the error a
     scenes::Scene scene;
     std::uint64_t hash;
   };
-  std::vector<Known> all{{scenes::dominoScene(), 0x735BE78B983348F4},
-                         {scenes::rockingScene(), 0xCF417958A286CBB5},
+  std::vector<Known> all{{scenes::dominoScene(), 0x3DDCDD63760554F0},
+                         {scenes::rockingScene(), 0x6030DD186970C953},
                          {scenes::masseScene(), 0x0D7B9D235FE2E10C},
                          {scenes::gasScene(), 0xC6FE99AAEE8E2ABB},
                          {scenes::bounceScene(), 0x5D06BF8BF54A395D}};

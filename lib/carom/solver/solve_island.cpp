@@ -2,11 +2,14 @@
 
 #include <algorithm>
 
+#include "carom/solver/hold_block.hpp"
+
 namespace carom {
 
 IslandSolution solveIsland(IslandNewton& newton, std::span<MovingBody> bodies,
                            std::span<ContactBlock> blocks, const IslandLimits& limits) {
   constexpr Real kSettled = 1e-9;  // of the fastest
+  constexpr int kHeld = 2;         // visits of each row that holding a block is worth
   IslandSolution done;
   const auto sweep = [&](const SweepLimits& sweeps) {
     const Sweeps swept = solvePatches(bodies, blocks, sweeps);
@@ -25,6 +28,13 @@ IslandSolution solveIsland(IslandNewton& newton, std::span<MovingBody> bodies,
   if (look()) {
     done.settled = true;
     return done;
+  }
+  if (blocks.size() == 1 && holdBlock(bodies, blocks.front())) {
+    done.rows += kHeld * (blocks.front().count + blocks.front().rubs);
+    if (look()) {
+      done.settled = true;
+      return done;
+    }
   }
   // As many as a few bodies need. What has come to its end by then is not looked at again.
   constexpr int kFew = 12;

@@ -2,11 +2,11 @@
 // How much work does an island need?
 //
 // Method: look first. Where the impulses to start with are the solution but for rounding, nothing
-// is done, and nothing changes. Then a few sweeps, which is all that most islands want, and as many
-// more as gain where bodies are in motion. Only where these gain little, because a load passes
-// through many bodies or from heavy to light ones, the island is solved directly
-// (island_newton.hpp), if it is small enough; what that cannot solve is swept over as long as the
-// limits allow.
+// is done, and nothing changes. A single contact that sticks is solved at once (hold_block.hpp).
+// Else a few sweeps, which is all that most islands want, and as many more as gain where bodies are
+// in motion. Only where these gain little, because a load passes through many bodies or from heavy
+// to light ones, the island is solved directly (island_newton.hpp), if it is small enough; what that
+// cannot solve is swept over as long as the limits allow.
 // Not handled: islands of thousands of bodies in motion, whose factors would cost more than they
 // gain.
 
