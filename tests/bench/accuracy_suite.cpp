@@ -1,7 +1,8 @@
 // The suite `accuracy`: what does an error cost?
 //
-// Every scene with a known answer is run by Carom in all its modes (steps of all lengths, and steps
-// that it chooses for an error of 1e-3, 1e-6 and 1e-9) and by every engine that was found, each
+// Every scene with a known answer is run by Carom in all its modes (steps of all lengths, as it comes,
+// in one phase each and by soft contacts, and steps that it chooses for an error of 1e-3, 1e-6 and
+// 1e-9) and by every engine that was found, each
 // with its best settings, over a sweep of steps. The error is taken from poses and geometry at the
 // moments that belong to the problem (scenes/problems.hpp). The cost is processor time per simulated
 // second, and what it takes to read the bodies at those moments is part of it. Runs of more than a
@@ -21,6 +22,7 @@
 // FOLDER/accuracy.json, where problems that were not run stay as they are.
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -51,9 +53,13 @@ constexpr Real kBatch = 1e-4;  // around which the clock is read: much less than
 constexpr int kFew = 100;      // bodies
 const std::string kAdvance = "carom advance ";
 
-// The engines of the suite: the best settings of each, and all modes of Carom.
+// The engines of the suite: the best settings of each, and those modes of Carom that trade error for
+// time.
 bool takesPart(const SceneOptions& options, const EngineKind& kind, const Scene& scene) {
-  return kind.name.starts_with(kAdvance) || carom::bench::runs(options, kind, scene);
+  constexpr std::array<const char*, 2> kCoarse{"carom soft", "carom one phase"};
+  return kind.name.starts_with(kAdvance) ||
+         std::find(kCoarse.begin(), kCoarse.end(), kind.name) != kCoarse.end() ||
+         carom::bench::runs(options, kind, scene);
 }
 
 // Steps per second. Carom also goes from one moment to the next in one step, or a few, where not

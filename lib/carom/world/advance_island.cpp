@@ -88,9 +88,9 @@ Real endOfPhase(const WorldState& state, std::span<const Index> pairs, Real time
   // More points are a heap, in which a step is long for other reasons.
   constexpr int kFewPoints = 8;
   constexpr Real kShortest = 1.0 / 16;  // of the step [1]
-  constexpr Real kTurn = 1e-5;          // in a phase, before there are more of them [rad]
   // Where the error chooses the steps they are short enough, and must differ in nothing else.
   if (!state.settings.trapezoidal || state.longSteps) return dt;
+  const Real turn = state.settings.phaseTurn;
   int points = 0;
   Real rate = 0;
   for (const Index index : pairs) {
@@ -108,9 +108,9 @@ Real endOfPhase(const WorldState& state, std::span<const Index> pairs, Real time
     }
   }
   const Real left = dt - time;
-  if (points > kFewPoints || !(rate * left > kTurn)) return dt;
+  if (points > kFewPoints || !(rate * left > turn)) return dt;
   const Real most = std::max(Real(1), std::round(left / (kShortest * dt)));
-  return time + left / std::min(most, std::ceil(rate * left / kTurn));
+  return time + left / std::min(most, std::ceil(rate * left / turn));
 }
 
 // Something has happened to the bodies of the set, who are all at this time: impacts, then what

@@ -32,6 +32,7 @@ void requireUsable(const WorldSettings& settings) {
   requireNotBelowZero(settings.pileSteps, "pileSteps");
   requireAtLeastOne(settings.shortSteps, "shortSteps");
   requireAtLeastOne(settings.threads, "threads");
+  requirePositive(settings.phaseTurn, "phaseTurn");
   requirePositive(settings.contactMargin, "contactMargin");
   requirePositive(settings.touchTolerance, "touchTolerance");
   requirePositive(settings.restTolerance, "restTolerance");

@@ -62,6 +62,10 @@ struct WorldSettings {
   int maxBodies = 1'000'000;    ///< more are refused
   RestitutionRule restitutionRule = RestitutionRule::maximum;  ///< how two bounces become one
 
+  /// A body that touches and turns by more than this in a step takes it in several phases, sixteen at
+  /// most, each with the forces of its own moment: a box that tips over its edge falls right to a
+  /// millionth of a second. Larger than any turn: one phase; positive [rad].
+  Real phaseTurn = 1e-5;
   Real contactMargin = 0.01;   ///< surfaces nearer than this are watched; positive [m]
   Real touchTolerance = 1e-8;  ///< gap at which approaching points have met; positive [m]
   Real restTolerance = 1e-6;   ///< gap up to which a contact that carried stays closed [m]

@@ -59,6 +59,9 @@ TEST_CASE("advance refuses times and tolerances that are none, and changes nothi
   WorldSettings settings;
   settings.shortestSubStep = 0;
   CHECK_THROWS_WITH(World(settings), ContainsSubstring("shortestSubStep"));
+  settings = WorldSettings();
+  settings.phaseTurn = 0;
+  CHECK_THROWS_WITH(World(settings), ContainsSubstring("phaseTurn"));
 }
 
 TEST_CASE("free flight and free rotation of any length are one step") {
