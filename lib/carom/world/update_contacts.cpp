@@ -216,8 +216,15 @@ bool mayTouch(const WorldState& state, const PairSlot& pair, Real dt) {
   return !passEachOther(state, pair, dt);
 }
 
+// How far a body of a pair can push what it strikes: by its way, and by its turning.
+Real farthestPush(const WorldState& state, Index index, Index shape) {
+  const BodySlot& body = state.bodies[at(index)];
+  return farthest(body) + (isCentredBall(state.shapes[at(shape)]) ? 0 : body.round);
+}
+
 // Gives a body the room that it needs if another strikes it. Returns whether it had less.
-bool makeRoom(WorldState& state, const PairSlot& pair, Index striking, Index struck, Real dt) {
+bool makeRoom(WorldState& state, const PairSlot& pair, Index striking, Real push, Index struck,
+              Real dt) {
   const BodySlot& fast = state.bodies[at(striking)];
   BodySlot& slow = state.bodies[at(struck)];
   if (!isDynamic(slow) || slow.asleep || fast.kind == BodyKind::immovable) return false;
@@ -226,7 +233,7 @@ bool makeRoom(WorldState& state, const PairSlot& pair, Index striking, Index str
   // As fast as a blow in the middle makes what stood; and no farther than a few neighbours, unless
   // the step is a long one, in which nobody asks again.
   const Real parts = isDynamic(fast) ? fast.weight / (fast.weight + slow.weight) : 1;
-  const Real blow = (1 + pair.restitution) * parts * (fast.asleep ? 0 : farthest(fast));
+  const Real blow = (1 + pair.restitution) * parts * (fast.asleep ? 0 : push);
   const Real thrown = state.longSteps ? blow : std::min(blow, 2 * slow.reach);
   const Real room = farthest(slow);
   if (thrown <= room + state.settings.restTolerance) return false;
@@ -256,10 +263,12 @@ bool makeRoomIn(WorldState& state, const PairSlot& pair, Real dt) {
   }
   BodySlot &a = state.bodies[at(pair.bodyA)], &b = state.bodies[at(pair.bodyB)];
   // What is slow throws nobody out of his room.
-  if (2 * (farthest(a) + farthest(b)) <= state.settings.restTolerance) return false;
+  const Real pushA = farthestPush(state, pair.bodyA, pair.shapeA);
+  const Real pushB = farthestPush(state, pair.bodyB, pair.shapeB);
+  if (2 * (pushA + pushB) <= state.settings.restTolerance) return false;
   if (passEachOther(state, pair, dt)) return false;
-  const bool roomA = makeRoom(state, pair, pair.bodyB, pair.bodyA, dt);
-  const bool roomB = makeRoom(state, pair, pair.bodyA, pair.bodyB, dt);
+  const bool roomA = makeRoom(state, pair, pair.bodyB, pushB, pair.bodyA, dt);
+  const bool roomB = makeRoom(state, pair, pair.bodyA, pushA, pair.bodyB, dt);
   const auto note = [&](BodySlot& body, Index index, bool room) {
     if (!isDynamic(body) || body.asleep || (body.mayTurn && !room)) return;
     body.mayTurn = true;

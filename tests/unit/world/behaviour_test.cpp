@@ -481,3 +481,22 @@ TEST_CASE("balls that pass each other are not looked at, whoever a blow turns as
     CHECK((world.position(first) - Vector3(0.5, 0, 0)).norm() < 1e-15);
   }
 }
+
+TEST_CASE("who is struck by a paddle that only spins sees his next neighbour") {
+  using namespace carom_test;
+  World world(weightless());
+  const Box blade{Vector3(0.5, 0.05, 0.05)};
+  BodyDescription paddle;
+  paddle.kind = BodyKind::kinematic;
+  paddle.angularVelocity = {0, 0, 30};
+  paddle.shapes = {made(blade, 0, 1)};
+  world.add(paddle);
+  // The blade is there after half of the step, and throws the one at the other.
+  const Vector3 struck(0.4, 0.25, 0), beyond(0.33, 0.54, 0);
+  const BodyId first = addBall(world, 0.1, {.position = struck, .restitution = 1});
+  const BodyId second = addBall(world, 0.1, {.position = beyond, .restitution = 1});
+  world.step(kStep);
+  CHECK(world.counters().impacts >= 2);
+  CHECK(world.velocity(second).norm() > 10);
+  CHECK((world.position(second) - world.position(first)).norm() > 0.2 - 1e-9);
+}
