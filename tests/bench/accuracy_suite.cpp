@@ -56,7 +56,7 @@ const std::string kAdvance = "carom advance ";
 // The engines of the suite: the best settings of each, and those modes of Carom that trade error for
 // time.
 bool takesPart(const SceneOptions& options, const EngineKind& kind, const Scene& scene) {
-  constexpr std::array<const char*, 2> kCoarse{"carom soft", "carom one phase"};
+  constexpr std::array<const char*, 3> kCoarse{"carom soft", "carom soft 1", "carom one phase"};
   return kind.name.starts_with(kAdvance) ||
          std::find(kCoarse.begin(), kCoarse.end(), kind.name) != kCoarse.end() ||
          carom::bench::runs(options, kind, scene);

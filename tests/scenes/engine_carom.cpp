@@ -140,6 +140,8 @@ std::vector<EngineKind> caromEngines() {
   skipsNothing.pairFinding = world::PairFinding::allPairs;
   world::WorldSettings soft;
   soft.pileContacts = soft.pileBodies = 0;
+  world::WorldSettings oneSoftStep = soft;
+  oneSoftStep.shortSteps = 1;
   world::WorldSettings onePhase;
   onePhase.phaseTurn = 1e3;
   world::WorldSettings twoThreads;
@@ -150,6 +152,7 @@ std::vector<EngineKind> caromEngines() {
                 noEvents, false),
       caromWith("carom soft", "islands go by soft steps as soon as they touch, however small", soft,
                 false),
+      caromWith("carom soft 1", "the same, a single one for each step", oneSoftStep, false),
       caromWith("carom one phase", "bodies that turn while they touch take a step at once",
                 onePhase, false),
       caromWith("carom 2 threads", "piles and manifolds are shared by two threads", twoThreads,
