@@ -466,7 +466,7 @@ Real goLong(WorldState& state, Goal goal, Real length) {
 // What of the settings a tolerance changes, for as long as it holds.
 class Sharpened {
  public:
-  Sharpened(WorldState& state, Real tolerance)
+  Sharpened(WorldState& state, Real duration, Real tolerance)
       : state_(state), touch_(state.settings.touchTolerance), still_(state.settings.keepStill) {
     // Here an island that does not change goes in one step as long as the long one anyway.
     state.settings.keepStill = false;
@@ -476,7 +476,10 @@ class Sharpened {
     // A bounce at this speed rises a quarter of the tolerance. Below it steps must not have
     // impacts, either: what their ends are off by would be one in some tries and none in others.
     state.slowestBounce = std::sqrt(gravity * tolerance / 2) + 1e-12;
-    state.slowestImpact = state.slowestBounce;
+    // What approaches more slowly than that is stopped over a step, and sinks in on the way: by half
+    // of the tolerance if one step goes all the way. Usual steps make no impacts of less, either.
+    const Real slow = std::max(tolerance / duration, state.slowestImpact);
+    state.slowestImpact = std::min(state.slowestBounce, slow);
     state.longSteps = true;
   }
   ~Sharpened() {
@@ -497,7 +500,7 @@ class Sharpened {
 
 void advanceWorld(WorldState& state, Real duration, Real tolerance) {
   beginStep(state, std::min(duration, kUsualStep));
-  const Sharpened sharpened(state, tolerance);
+  const Sharpened sharpened(state, duration, tolerance);
   Real next = state.macroStep > 0 ? state.macroStep : duration;
   for (Real done = 0; done < duration;) {
     const Real left = duration - done;
