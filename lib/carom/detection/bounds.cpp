@@ -1,12 +1,43 @@
 #include "carom/detection/bounds.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstring>
 
 namespace carom {
 namespace {
 
 Aabb<3> about(const Vector3& center, const Vector3& reach) {
   return {center - reach, center + reach};
+}
+
+// Two doubles at once, which every processor that Carom runs on can compare without a branch.
+using Two = Real __attribute__((vector_size(2 * sizeof(Real))));
+
+Two twoAt(const std::vector<Real>& from, std::size_t i) {
+  Two value;
+  std::memcpy(&value, &from[i], sizeof value);
+  return value;
+}
+
+// What a hull covers of a direction, before it is moved.
+void cover(const ConvexHull& hull, const Vector3& direction, Real& low, Real& high) {
+  const Two dx = {direction.x(), direction.x()};
+  const Two dy = {direction.y(), direction.y()};
+  const Two dz = {direction.z(), direction.z()};
+  const std::size_t count = hull.x.size();
+  // A last one without another is taken with its neighbour.
+  const std::size_t last = count - 2;
+  Two least = twoAt(hull.x, last) * dx + twoAt(hull.y, last) * dy + twoAt(hull.z, last) * dz;
+  Two most = least;
+  for (std::size_t i = 0; i + 2 < count; i += 2) {
+    const Two along = twoAt(hull.x, i) * dx + twoAt(hull.y, i) * dy + twoAt(hull.z, i) * dz;
+    least = along < least ? along : least;
+    most = along > most ? along : most;
+  }
+  low = std::min(least[0], least[1]);
+  high = std::max(most[0], most[1]);
 }
 
 struct Bounder {
@@ -33,8 +64,8 @@ struct Bounder {
   }
   Aabb<3> operator()(const ConvexHull& hull) const {
     Aabb<3> box;
-    for (const Vector3& vertex : hull.vertices) box = joined(box, pointToWorld(pose, vertex));
-    return box;
+    for (int k = 0; k < 3; ++k) cover(hull, pose.R_WB.row(k), box.low(k), box.high(k));
+    return {box.low + pose.p_WB, box.high + pose.p_WB};
   }
   Aabb<3> operator()(const HalfSpace& space) const {
     constexpr Real kInfinity = std::numeric_limits<Real>::infinity();
