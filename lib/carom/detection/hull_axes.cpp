@@ -251,6 +251,21 @@ class Search {
     return answer(true);
   }
 
+  // The axis of given features; nothing if edges do not cross on the Gauss map.
+  std::optional<HullAxis> runOn(const HullHint& hint) {
+    if (hint.kind == AxisKind::faceOfA) {
+      tryFaceOfA(hint.featureA);
+    } else if (hint.kind == AxisKind::faceOfB) {
+      tryFaceOfB(hint.featureB);
+    } else {
+      const Arc arcA = arcOfA(hint.featureA), arcB = arcOfB(hint.featureB);
+      if (!arcsCross(arcA, arcB)) return std::nullopt;
+      tryEdgePair(arcA, arcB);
+      if (edges_.best() == -kInfinity) return std::nullopt;  // parallel
+    }
+    return answer(false);
+  }
+
  private:
   Real best() const {
     return std::max(faces_.best(), edges_.best());
@@ -777,6 +792,11 @@ HullPair hullPair(const HullView& a, const Pose& A, const HullView& b, const Pos
 HullAxis bestHullAxis(const HullPair& pair, const HullHint* hint, Real enough) {
   Search search(pair);
   return search.run(hint, enough);
+}
+
+std::optional<HullAxis> axisOfFeatures(const HullPair& pair, const HullHint& hint) {
+  Search search(pair);
+  return search.runOn(hint);
 }
 
 }  // namespace carom::detail

@@ -18,6 +18,7 @@
 // Not handled: the exact sign next to touching (separateHulls()).
 
 #include <cstdint>
+#include <optional>
 
 #include "carom/core/real.hpp"
 #include "carom/detection/hull_view.hpp"
@@ -66,6 +67,11 @@ struct HullHint {
 /// \param enough the search may end with any gap above this [m]
 /// \return the best axis \ingroup detection
 HullAxis bestHullAxis(const HullPair& pair, const HullHint* hint, Real enough);
+
+/// The axis of features that were the best ones before, whether they still are or not.
+/// \param pair the polyhedra \param hint the features
+/// \return their axis; nothing if they do not face each other any more \ingroup detection
+std::optional<HullAxis> axisOfFeatures(const HullPair& pair, const HullHint& hint);
 
 /// The vertex farthest in a direction, the first of several.
 /// \param hull the polyhedron \param direction [any unit, body] \return its number

@@ -239,6 +239,21 @@ Manifold collideViews(const HullView& a, const Pose& A, const HullView& b, const
 
 }  // namespace
 
+Manifold collideHullsOn(const ConvexHull& hullA, const Pose& A, const ConvexHull& hullB,
+                        const Pose& B, const ManifoldCache& features, Real margin) {
+  const HullView a = detail::viewOf(hullA), b = detail::viewOf(hullB);
+  Manifold manifold;
+  if (features.axis < 0) return manifold;
+  const bool swap = detail::comesSecond(a, A, b, B);
+  const HullPair pair = swap ? detail::hullPair(b, B, a, A) : detail::hullPair(a, A, b, B);
+  const HullHint known{static_cast<AxisKind>(features.axis), features.featureA, features.featureB};
+  const std::optional<HullAxis> axis = detail::axisOfFeatures(pair, swap ? swapped(known) : known);
+  if (!axis || axis->separation > margin) return manifold;
+  fill(pair, swap ? B : A, *axis, margin, manifold);
+  if (swap) detail::swapBodies(manifold);
+  return manifold;
+}
+
 Manifold collideHulls(const ConvexHull& a, const Pose& A, const ConvexHull& b, const Pose& B,
                       ManifoldCache* cache, Real margin) {
   if (takesPlainPath()) return plainManifold(a, A, b, B, margin);

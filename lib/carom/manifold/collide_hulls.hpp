@@ -43,4 +43,13 @@ Manifold collideHulls(const ConvexHull& a, const Pose& A, const ConvexHull& b, c
 Manifold collideBoxAndHull(const Box& a, const Pose& A, const ConvexHull& b, const Pose& B,
                            ManifoldCache* cache = nullptr, Real margin = 0);
 
+/// The manifold of features that were the nearest ones before: a face and a face, or two edges.
+/// Nobody looks whether others are nearer by now.
+/// \param a first hull \param A its pose \param b second hull \param B its pose
+/// \param features found for these two hulls by collideHulls() at other poses
+/// \param margin points up to this gap are kept, zero or positive [m]
+/// \return their manifold; empty if they do not face each other any more \ingroup manifold
+Manifold collideHullsOn(const ConvexHull& a, const Pose& A, const ConvexHull& b, const Pose& B,
+                        const ManifoldCache& features, Real margin);
+
 }  // namespace carom

@@ -26,7 +26,7 @@ struct Counters {
   std::int64_t pairsKept = 0;         ///< of those awake: nothing has changed, nothing was made
   std::int64_t pairsAsleep = 0;       ///< pairs that were skipped
   std::int64_t manifoldsMade = 0;     ///< manifolds computed
-  std::int64_t manifoldsCarried = 0;  ///< of piles: as they were, carried along with the bodies
+  std::int64_t manifoldsCarried = 0;  ///< of piles: carried along, or of features as they were
   std::int64_t axesSearches = 0;      ///< of those: by separating axes (boxes and hulls)
   std::int64_t contactPoints = 0;     ///< points of the manifolds
   std::int64_t normalRows = 0;        ///< rows of contact set up

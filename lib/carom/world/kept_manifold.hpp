@@ -12,6 +12,9 @@
 // way, and the carried points as well; so no gap is off by more than twice the way, and no point
 // nearer than the margin less twice the way is missing. Gaps of points that lie on the same corner
 // and face as before are right to the second order.
+// Two hulls that have gone farther keep at least the features that were the nearest ones: their
+// faces are clipped anew, and nobody looks for others until they strayed too far, or sank or rose by
+// more than a little. What those features miss is at most what they strayed by.
 // Source: contact recycling, Catto 2025 (Box3D).
 // Not handled: bodies that are not in a pile, whose contacts are made anew in each step.
 
@@ -26,6 +29,8 @@ namespace carom::world {
 struct KeptManifold {
   bool known = false;                  ///< has been made, and may be carried
   Real margin = 0;                     ///< gap up to which it has points [m]
+  Real deepest = 0;                    ///< the least gap when its features were looked for [m]
+  Real strayed = 0;                    ///< how far its bodies had moved since then [m]
   Matrix3 R = Matrix3::Identity();     ///< B to A, when it was made
   Vector3 t = Vector3::Zero();         ///< B's place, then [m, A]
   Vector3 normal = Vector3::UnitZ();   ///< from A to B [1, A]

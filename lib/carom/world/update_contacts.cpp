@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "carom/detection/bounds.hpp"
 #include "carom/manifold/collide.hpp"
 #include "carom/manifold/collide_half_space.hpp"
+#include "carom/manifold/collide_hulls.hpp"
 #include "carom/manifold/swap_manifold.hpp"
 #include "carom/world/collide_ground.hpp"
 #include "carom/world/islands.hpp"
@@ -338,6 +340,9 @@ namespace {
 // Share of the contact margin that bodies of a pile may move against each other before their
 // manifold is made anew: a millimetre.
 constexpr Real kKeptWay = 0.1;
+// And share of it that hulls of a pile may move against each other, and sink or rise, before their
+// nearest features are looked for anew: a centimetre, and three millimetres.
+constexpr Real kStrayedWay = 1, kStrayedDepth = 0.3;
 
 // How far apart a pair's points are of interest, by how far its two bodies can go.
 Real marginOf(const WorldState& state, const PairSlot& pair, const Ways& a, const Ways& b) {
@@ -399,6 +404,59 @@ void countManifold(WorldState& state, const PairSlot& pair) {
   if (searchesAxes(state, pair)) ++state.counters.axesSearches;
 }
 
+Real deepestOf(const Manifold& manifold) {
+  Real deepest = std::numeric_limits<Real>::infinity();
+  for (int i = 0; i < manifold.count; ++i) {
+    deepest = std::min(deepest, manifold.points[at(i)].separation);
+  }
+  return deepest;
+}
+
+// Where two hulls have come to, and how far they moved against each other on the way.
+struct HullWay {
+  const Pose &A, &B;
+  Real margin = 0, way = 0;  // [m]
+};
+
+// Makes the manifold of two hulls from the features that were the nearest ones when they were last
+// looked for, if those hardly moved. Returns whether it did.
+bool keepFeatures(const WorldState& state, PairSlot& pair, KeptManifold& kept,
+                  const HullWay& went) {
+  const Real strayed = kept.strayed + went.way;
+  if (pair.manifold.count == 0 || strayed > kStrayedWay * state.settings.contactMargin)
+    return false;
+  const auto* a = std::get_if<ConvexHull>(&state.shapes[at(pair.shapeA)].data->convex);
+  const auto* b = std::get_if<ConvexHull>(&state.shapes[at(pair.shapeB)].data->convex);
+  if (a == nullptr || b == nullptr || !searchesAxes(state, pair)) return false;
+  const Manifold now = collideHullsOn(*a, went.A, *b, went.B, pair.cache, went.margin);
+  if (now.count == 0) return false;
+  const Real sunk = std::abs(deepestOf(now) - kept.deepest);
+  if (sunk > kStrayedDepth * state.settings.contactMargin) return false;
+  const Manifold old = pair.manifold;
+  const std::array<Real, 4> forces = pair.force;
+  pair.manifold = now;
+  handOn(old, forces, state.settings.contactMargin, pair);
+  pair.carried = true;
+  const Real deepest = kept.deepest;
+  kept = keptManifold(now, went.A, went.B, went.margin);
+  kept.deepest = deepest;
+  kept.strayed = strayed;
+  return true;
+}
+
+// Asks memory for what is carried along of a pair that a loop will come to.
+void fetchKept(const WorldState& state, std::span<const Index> pairs, std::size_t i) {
+  constexpr std::size_t kAhead = 4, kLine = 64;
+  if (i + kAhead >= pairs.size()) return;
+  const auto fetch = [](const auto& what) {
+    const char* const start = reinterpret_cast<const char*>(&what);
+    for (std::size_t k = 0; k < sizeof what; k += kLine) __builtin_prefetch(start + k);
+  };
+  const std::size_t next = at(pairs[i + kAhead]);
+  fetch(state.kept[next]);
+  fetch(state.pairs[next].manifold);
+}
+
 // The manifold at the start of a step: made, or, within a pile, carried along.
 void startManifold(WorldState& state, Index index) {
   PairSlot& pair = state.pairs[at(index)];
@@ -420,20 +478,25 @@ void startManifold(WorldState& state, Index index) {
     return;
   }
   // A margin with some room to spare, so that the next steps find what they ask for.
-  const Real farthest = kKeptWay * state.settings.contactMargin;
-  if (kept.known && !pair.leftOut && margin <= kept.margin) {
+  const Real wide = margin + state.settings.contactMargin / 2;
+  if (kept.known && !pair.leftOut) {
     // Of a half-space no point is near; but it is A, or does not move.
     const Real reach = bodyB.reach + state.shapes[at(pair.shapeB)].pose.p_WB.norm();
-    if (wayAgainst(kept, A, B, reach) <= farthest) {
+    const Real way = wayAgainst(kept, A, B, reach);
+    if (margin <= kept.margin && way <= kKeptWay * state.settings.contactMargin) {
       carryManifold(kept, A, B, pair.manifold);
       pair.carried = true;
       return;
     }
+    if (keepFeatures(state, pair, kept, {A, B, wide, way})) {
+      pair.narrow = margin < most;
+      return;
+    }
   }
-  const Real wide = margin + state.settings.contactMargin / 2;
   collidePair(state, pair, A, B, wide);
   pair.narrow = margin < most;
   kept = keptManifold(pair.manifold, A, B, wide);
+  kept.deepest = deepestOf(pair.manifold);
 }
 
 }  // namespace
@@ -516,6 +579,7 @@ void updateManifolds(WorldState& state, Real dt) {
       .loop(toMake.size(), kFew, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
           fetchAhead(state, toMake, i);
+          fetchKept(state, toMake, i);
           startManifold(state, toMake[i]);
         }
       });

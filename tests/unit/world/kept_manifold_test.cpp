@@ -1,11 +1,15 @@
 // Manifolds that are carried along are as good as they promise.
 
 #include <algorithm>
+#include <limits>
+#include <optional>
 #include <vector>
 
 #include "carom/core/cross.hpp"
 #include "carom/core/random.hpp"
+#include "carom/detection/hull_axes.hpp"
 #include "carom/detection/hull_of_points.hpp"
+#include "carom/detection/separate_hulls.hpp"
 #include "carom/manifold/collide_hulls.hpp"
 #include "carom/rotation/integrate_orientation.hpp"
 #include "carom/rotation/quaternion_to_matrix.hpp"
@@ -91,6 +95,59 @@ TEST_CASE("a manifold that is carried is off by no more than twice the way") {
     ++carried;
   }
   CHECK(carried > 1000);
+}
+
+TEST_CASE("features that were the nearest ones miss no more than the way since then") {
+  constexpr Real kMargin = 0.02, kRounding = 1e-14;
+  Random random(2029);
+  int faces = 0, edges = 0, gone = 0;
+  for (int n = 0; n < 3000; ++n) {
+    const ConvexHull a = someHull(random), b = someHull(random);
+    const Vector3 place = random.vector(1);
+    const Pose A = movedBy(Pose(), place, random.vector(3));
+    const Real distance = random.between(0.45, 0.58);
+    const Vector3 apart = distance * random.direction();
+    const Pose B = movedBy(A, apart, random.vector(3));
+    carom::ManifoldCache features;
+    const Manifold made = collideHulls(a, A, b, B, &features, kMargin);
+    if (made.count == 0) continue;
+    INFO("case " << n);
+    const Manifold same = collideHullsOn(a, A, b, B, features, kMargin);
+    REQUIRE(same.count == made.count);
+    CHECK(same.normal == made.normal);
+    CHECK(deepest(same) == deepest(made));
+    // B moves against A. Any axis shows less of a gap than the best one, and what was the best one
+    // cannot have fallen far behind.
+    const Real little = n % 2 == 0 ? 1e-3 : 1e-2;
+    const Vector3 shift = little / 2 * random.direction();
+    const Pose D = movedBy(B, shift, little * random.direction());
+    const Real against = farthest(b, A, B, A, D);
+    const detail::HullPair pair = detail::hullPair(detail::viewOf(a), A, detail::viewOf(b), D);
+    const bool swap = detail::comesSecond(detail::viewOf(a), A, detail::viewOf(b), D);
+    if (swap) continue;  // the features are named the other way round
+    const detail::HullHint hint{static_cast<AxisKind>(features.axis), features.featureA,
+                                features.featureB};
+    const detail::HullAxis best =
+        detail::bestHullAxis(pair, nullptr, std::numeric_limits<Real>::infinity());
+    const std::optional<detail::HullAxis> kept = detail::axisOfFeatures(pair, hint);
+    const Manifold now = collideHullsOn(a, A, b, D, features, kMargin);
+    if (!kept) {
+      CHECK(hint.kind == AxisKind::edges);
+      CHECK(now.count == 0);
+      ++gone;
+      continue;
+    }
+    CHECK(kept->separation <= best.separation + kRounding);
+    if (hint.kind == AxisKind::edges) {
+      ++edges;
+      continue;
+    }
+    CHECK(kept->separation >= best.separation - 2 * against - kRounding);
+    ++faces;
+  }
+  CHECK(faces > 300);
+  CHECK(edges > 100);
+  CHECK(gone > 0);
 }
 
 TEST_CASE("a manifold that is carried nowhere is the same") {
