@@ -423,8 +423,8 @@ struct HullWay {
 bool keepFeatures(const WorldState& state, PairSlot& pair, KeptManifold& kept,
                   const HullWay& went) {
   const Real strayed = kept.strayed + went.way;
-  if (pair.manifold.count == 0 || strayed > kStrayedWay * state.settings.contactMargin)
-    return false;
+  const Real most = kStrayedWay * state.settings.contactMargin;
+  if (pair.manifold.count == 0 || strayed > most) return false;
   const auto* a = std::get_if<ConvexHull>(&state.shapes[at(pair.shapeA)].data->convex);
   const auto* b = std::get_if<ConvexHull>(&state.shapes[at(pair.shapeB)].data->convex);
   if (a == nullptr || b == nullptr || !searchesAxes(state, pair)) return false;
@@ -442,19 +442,6 @@ bool keepFeatures(const WorldState& state, PairSlot& pair, KeptManifold& kept,
   kept.deepest = deepest;
   kept.strayed = strayed;
   return true;
-}
-
-// Asks memory for what is carried along of a pair that a loop will come to.
-void fetchKept(const WorldState& state, std::span<const Index> pairs, std::size_t i) {
-  constexpr std::size_t kAhead = 4, kLine = 64;
-  if (i + kAhead >= pairs.size()) return;
-  const auto fetch = [](const auto& what) {
-    const char* const start = reinterpret_cast<const char*>(&what);
-    for (std::size_t k = 0; k < sizeof what; k += kLine) __builtin_prefetch(start + k);
-  };
-  const std::size_t next = at(pairs[i + kAhead]);
-  fetch(state.kept[next]);
-  fetch(state.pairs[next].manifold);
 }
 
 // The manifold at the start of a step: made, or, within a pile, carried along.
@@ -579,7 +566,6 @@ void updateManifolds(WorldState& state, Real dt) {
       .loop(toMake.size(), kFew, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
           fetchAhead(state, toMake, i);
-          fetchKept(state, toMake, i);
           startManifold(state, toMake[i]);
         }
       });
