@@ -55,11 +55,30 @@ const std::string kAdvance = "carom advance ";
 
 // The engines of the suite: the best settings of each, and those modes of Carom that trade error for
 // time.
-bool takesPart(const SceneOptions& options, const EngineKind& kind, const Scene& scene) {
+bool isCoarse(const std::string& engine) {
   constexpr std::array<const char*, 3> kCoarse{"carom soft", "carom soft 1", "carom one phase"};
-  return kind.name.starts_with(kAdvance) ||
-         std::find(kCoarse.begin(), kCoarse.end(), kind.name) != kCoarse.end() ||
+  return std::find(kCoarse.begin(), kCoarse.end(), engine) != kCoarse.end();
+}
+
+bool takesPart(const SceneOptions& options, const EngineKind& kind, const Scene& scene) {
+  return kind.name.starts_with(kAdvance) || isCoarse(kind.name) ||
          carom::bench::runs(options, kind, scene);
+}
+
+// Where nothing rests or tips the coarse modes are what Carom does anyway, bit by bit. The faster of
+// several measurements of the same would be luck.
+void leaveOutSame(Json& rows) {
+  const auto isSame = [&](const Json& row) {
+    return std::any_of(rows.begin(), rows.end(), [&](const Json& usual) {
+      return usual["engine"] == "carom" && usual["dt"] == row["dt"] && usual.contains("hash") &&
+             row.contains("hash") && usual["hash"] == row["hash"];
+    });
+  };
+  Json kept = Json::array();
+  for (const Json& row : rows) {
+    if (!isCoarse(row["engine"].get<std::string>()) || !isSame(row)) kept.push_back(row);
+  }
+  rows = kept;
 }
 
 // Steps per second. Carom also goes from one moment to the next in one step, or a few, where not
@@ -112,6 +131,7 @@ Json rowsOf(const Problem& problem, const std::vector<EngineKind>& kinds,
       rows.push_back(std::move(row));
     }
   }
+  leaveOutSame(rows);
   return rows;
 }
 
