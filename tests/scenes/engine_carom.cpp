@@ -62,7 +62,8 @@ class CaromEngine : public Engine {
     const auto figure = [](const char* name, std::int64_t value) {
       return Figure{name, static_cast<Real>(value)};
     };
-    return {figure("bodies awake", c.bodiesAwake),
+    return {figure("parts", c.parts),
+            figure("bodies awake", c.bodiesAwake),
             figure("bodies asleep", c.bodiesAsleep),
             figure("bodies free", c.bodiesFree),
             figure("islands awake", c.islandsAwake),

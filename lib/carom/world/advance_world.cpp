@@ -11,6 +11,7 @@
 #include "carom/rotation/hamilton_product.hpp"
 #include "carom/rotation/integrate_orientation.hpp"
 #include "carom/world/advance_island.hpp"
+#include "carom/world/crowd.hpp"
 #include "carom/world/islands.hpp"
 #include "carom/world/move_body.hpp"
 #include "carom/world/step_world.hpp"
@@ -424,6 +425,7 @@ Group groupOf(const WorldState& state, Index island) {
 // Goes a long step. Returns its length: it may have been cut.
 Real goLong(WorldState& state, Goal goal, Real length) {
   Workspace& work = state.work;
+  state.partStart = goal.duration - goal.left;
   length = findPairsFor(state, length);
   updateManifolds(state, length);
   splitIslands(state);
@@ -455,9 +457,6 @@ Real goLong(WorldState& state, Goal goal, Real length) {
   }
   // Kinematic bodies last: islands ask where they are at any time of the step.
   advanceFree(state, goal, length);
-  for (std::size_t i = impacts; i < state.impacts.size(); ++i) {
-    state.impacts[i].time += goal.duration - goal.left;
-  }
   reportContacts(state);
   sleepIslands(state, length);
   return length;
@@ -508,6 +507,7 @@ void advanceWorld(WorldState& state, Real duration, Real tolerance) {
     const bool sleepy = state.settings.sleeping && !state.awakeIslands.empty();
     Real length = std::min(next, sleepy ? state.settings.sleepTime / 2 : left);
     if (length > 0.999 * left) length = left;
+    length /= partsForCrowd(state, length);
     const Real gone = goLong(state, {tolerance, duration, left}, length);
     // Cut in two, or to its end; after that twice as long is tried.
     next = gone < length ? gone : 2 * gone;

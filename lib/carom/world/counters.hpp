@@ -13,6 +13,7 @@ namespace carom::world {
 
 /// What the last step did. \ingroup world
 struct Counters {
+  std::int64_t parts = 0;             ///< parts that it was gone in, because a crowd flies about
   std::int64_t bodiesAwake = 0;       ///< bodies that were stepped
   std::int64_t bodiesAsleep = 0;      ///< bodies that were skipped
   std::int64_t bodiesFree = 0;        ///< of those awake: in free flight, nothing near

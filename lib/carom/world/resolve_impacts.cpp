@@ -43,7 +43,7 @@ void report(WorldState& state, Index index, int point, Real time, Real approach,
   const PairSlot& pair = state.pairs[at(index)];
   const ContactEvent ids = eventOf(state, pair);
   reserveAhead(state.impacts, std::max(state.impacts.size() + 1, 2 * state.bodies.size()));
-  state.impacts.push_back({ids.shapeA, ids.shapeB, ids.bodyA, ids.bodyB, time,
+  state.impacts.push_back({ids.shapeA, ids.shapeB, ids.bodyA, ids.bodyB, state.partStart + time,
                            pair.manifold.points[at(point)].position, pair.manifold.normal, approach,
                            impulse, 0});
 }

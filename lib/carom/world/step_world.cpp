@@ -4,6 +4,7 @@
 
 #include "carom/motion/careful_sum.hpp"
 #include "carom/world/advance_island.hpp"
+#include "carom/world/crowd.hpp"
 #include "carom/world/islands.hpp"
 #include "carom/world/move_body.hpp"
 #include "carom/world/update_contacts.hpp"
@@ -17,6 +18,7 @@ void beginStep(WorldState& state, Real dt) {
   state.ended.erase(state.ended.begin(),
                     state.ended.begin() + static_cast<std::ptrdiff_t>(state.endedBefore));
   state.impacts.clear();
+  state.partStart = 0;
   // What a step of one length leaves as it is, one of another may change.
   if (dt != state.lastStep) {
     for (const Index island : state.awakeIslands) state.islands[at(island)].still = false;
@@ -87,9 +89,10 @@ void countBodies(WorldState& state) {
   counters.pairsAsleep = state.broadPhase.pairs().size() - counters.pairsAwake;
 }
 
+namespace {
+
 //! [step]
-void stepWorld(WorldState& state, Real dt) {
-  beginStep(state, dt);
+void goPart(WorldState& state, Real dt) {
   updatePairs(state, dt);
   updateManifolds(state, dt);
   splitIslands(state);
@@ -99,8 +102,22 @@ void stepWorld(WorldState& state, Real dt) {
   advanceFree(state, dt);
   reportContacts(state);
   sleepIslands(state, dt);
-  addCarefully(state.time, state.lostTime, dt);
 }
 //! [step]
+
+}  // namespace
+
+//! [parts]
+void stepWorld(WorldState& state, Real dt) {
+  const int parts = partsForCrowd(state, dt);
+  beginStep(state, dt / parts);
+  for (int part = 0; part < parts; ++part) {
+    state.partStart = dt * part / parts;
+    goPart(state, dt / parts);
+  }
+  state.counters.parts = parts;
+  addCarefully(state.time, state.lostTime, dt);
+}
+//! [parts]
 
 }  // namespace carom::world

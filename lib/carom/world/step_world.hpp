@@ -1,5 +1,5 @@
 #pragma once
-// One step, as a table.
+// One step, as a table. A crowd in flight goes it in several parts (crowd.hpp).
 //
 // | stage             | reads                          | writes                                  |
 // | updatePairs       | where awake bodies can be      | pairs that began and ended              |

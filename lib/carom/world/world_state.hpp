@@ -321,7 +321,8 @@ struct WorldState {
   int islandCount = 0;                   ///< islands that are alive
   Real time = 0;                         ///< since the beginning [s]
   Real lostTime = 0;                     ///< what rounding took from it [s]
-  Real lastStep = 0;                     ///< length of the last step [s]
+  Real lastStep = 0;                     ///< length of the last step, or of a part of it [s]
+  Real partStart = 0;                    ///< when the part began that is gone now, in its step [s]
   Real slowestImpact = 0;                ///< points that approach more slowly just touch [m/s]
   Real slowestBounce = 0;                ///< what parts more slowly does not part [m/s]
   bool longSteps = false;                ///< what is struck may go farther than a few neighbours
