@@ -58,7 +58,10 @@ Aabb<3> BroadPhase::withRoom(const Aabb<3>& box, const Vector3& way) const {
     sum += edge;
     ++finite;
   }
-  const Vector3 room = Vector3::Constant(finite > 0 ? settings_.margin * sum / finite : 0);
+  Real width = finite > 0 ? settings_.margin * sum / finite : 0;
+  // What goes farther in a step than its room reaches leaves it in the next one anyway.
+  if (settings_.stepsAhead < 1 && way.squaredNorm() > width * width) width = 0;
+  const Vector3 room = Vector3::Constant(width);
   const Vector3 ahead = settings_.stepsAhead * way;
   return {box.low - room + ahead.cwiseMin(0), box.high + room + ahead.cwiseMax(0)};
 }

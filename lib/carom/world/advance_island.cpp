@@ -218,31 +218,47 @@ std::size_t eventsWorth(const WorldState& state, const IslandSlot& island) {
   return kFew + each * island.bodies.size();
 }
 
+constexpr std::size_t kFewBodies = 8;  // are always worth their events, if there are no more
+constexpr std::size_t kCrowd = 128;    // awake bodies; more are some of a crowd
+
+bool isOfBalls(const WorldState& state, const IslandSlot& island) {
+  return std::all_of(island.pairs.begin(), island.pairs.end(), [&](Index index) {
+    const PairSlot& pair = state.pairs[at(index)];
+    return isRound(state.shapes[at(pair.shapeA)]) && isRound(state.shapes[at(pair.shapeB)]);
+  });
+}
+
+// Whether more than a share of an island's bodies is faster than some steps of free fall make them.
+bool moves(const WorldState& state, const IslandSlot& island, Real steps, Real share) {
+  const Real fast = steps * state.settings.gravity.norm() * state.lastStep;
+  const auto isFast = [&](Index body) {
+    return state.bodies[at(body)].velocity.linear.squaredNorm() > fast * fast;
+  };
+  const auto moving = std::count_if(island.bodies.begin(), island.bodies.end(), isFast);
+  return static_cast<Real>(moving) > share * static_cast<Real>(island.bodies.size());
+}
+
+// Whether an island is one of many that a heap of balls has fallen into and that roll on. If it was
+// tried again by events now and then, all would be in the same step.
+bool rollsInCrowd(const WorldState& state, const IslandSlot& island) {
+  return !state.longSteps && state.awakeBodies.size() > kCrowd &&
+         island.bodies.size() >= kFewBodies && moves(state, island, 1, 0.5) &&
+         isOfBalls(state, island);
+}
+
 // Whether an island may be a pile for what it takes otherwise. Bounces want their moments; without
 // friction sweeps come to an end; what is small and stands may stand; and of a few bodies each
 // moment counts, unless they are some of a crowd. What soft steps leave of overlap is too much for
 // boxes and hulls that go on by events or stand still: only their heaps may be piles, and what moves
 // in a crowd.
 bool mayBePile(const WorldState& state, const IslandSlot& island) {
-  constexpr std::size_t kFewBodies = 8;  // are always worth their events, if there are no more
-  constexpr std::size_t kCrowd = 128;
   const bool inCrowd = state.awakeBodies.size() > kCrowd;
   if (!inCrowd && island.bodies.size() < kFewBodies) return false;
   if (!rubs(state, island) || bounces(state, island)) return false;
-  const bool isOfBalls = std::all_of(island.pairs.begin(), island.pairs.end(), [&](Index index) {
-    const PairSlot& pair = state.pairs[at(index)];
-    return isRound(state.shapes[at(pair.shapeA)]) && isRound(state.shapes[at(pair.shapeB)]);
-  });
+  const bool ofBalls = isOfBalls(state, island);
   const bool isHeap = hasMoreClosed(state, island, state.settings.eventContacts);
-  if (isOfBalls ? isHeap || inCrowd : !isHeap && !inCrowd) return isOfBalls;
-  // Steps of free fall that make a speed that is not small, and the share of bodies that have it.
-  const Real slow = isOfBalls ? 1 : 0.1, share = isOfBalls ? 0.5 : 0.1;
-  const Real fast = slow * state.settings.gravity.norm() * state.lastStep;
-  const auto isFast = [&](Index body) {
-    return state.bodies[at(body)].velocity.linear.squaredNorm() > fast * fast;
-  };
-  const auto moving = std::count_if(island.bodies.begin(), island.bodies.end(), isFast);
-  return static_cast<Real>(moving) > share * static_cast<Real>(island.bodies.size());
+  if (ofBalls ? isHeap || inCrowd : !isHeap && !inCrowd) return ofBalls;
+  return ofBalls ? moves(state, island, 1, 0.5) : moves(state, island, 0.1, 0.1);
 }
 
 // What a pile would cost, in visits of a row.
@@ -363,7 +379,8 @@ bool isPile(const WorldState& state, const IslandSlot& island) {
   if (static_cast<int>(island.bodies.size()) > state.settings.pileBodies) {
     return !bounces(state, island);
   }
-  return island.pileFor > 0 && mayBePile(state, island);
+  return (island.pileFor > 0 || (island.isPile && rollsInCrowd(state, island))) &&
+         mayBePile(state, island);
 }
 
 // Looks whether an island that changes is a pile in this step; its manifolds are there after that.

@@ -47,8 +47,9 @@ struct WorldSettings {
   /// bounces: balls if it has more closed contacts than `eventContacts` or most are faster than a
   /// step of free fall makes them; others if it has so many and a tenth of them moves; positive.
   /// Where more than 128 bodies are awake no island is too small: balls are a pile then however
-  /// fast they are, others if a tenth of them moves. What is left of the step that took too much is
-  /// taken at once.
+  /// fast they are, others if a tenth of them moves; and piles of eight balls and more stay piles
+  /// while most are faster than a step of free fall makes them. What is left of the step that took
+  /// too much is taken at once.
   int pileWork = 10;
   int pileSteps = 60;  ///< for which an island stays a pile that took too much; zero or more
   int shortSteps = 8;  ///< of a pile in a step; positive

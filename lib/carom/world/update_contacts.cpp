@@ -143,7 +143,7 @@ void moveBoxes(WorldState& state, Index index, Real dt) {
       const Vector3 everywhere = Vector3::Constant(std::numeric_limits<Real>::infinity());
       state.broadPhase.move(shapeIndex, {-everywhere, everywhere});
     } else {
-      state.broadPhase.move(shapeIndex, shape.swept);
+      state.broadPhase.move(shapeIndex, shape.swept, dt * body.velocity.linear);
     }
   }
 }

@@ -297,44 +297,44 @@ struct AskedShapes {
 
 /// Everything. \ingroup world
 struct WorldState {
-  WorldSettings settings;                ///< switches and limits
-  std::vector<BodySlot> bodies;          ///< all bodies, with free places between
-  std::vector<ShapeSlot> shapes;         ///< all shapes
-  std::vector<PairSlot> pairs;           ///< by slot of the broad phase
-  std::vector<KeptManifold> kept;        ///< of each of these, what a pile carries along
-  std::vector<IslandSlot> islands;       ///< all islands
-  ListPool islandLists;                  ///< memory for their bodies and pairs
-  std::vector<RotorAnchor> anchors;      ///< of bodies that turn freely
-  HullList hulls;                        ///< that shapes share
-  std::size_t hullsAtMost = 0;           ///< if there are more, those of no shape are forgotten
-  std::vector<Index> freeBodies;         ///< places that can be used again
-  std::vector<Index> freeShapes;         ///< places that can be used again
-  std::vector<Index> freeIslands;        ///< places that can be used again
-  std::vector<std::size_t> freeAnchors;  ///< places that can be used again
-  std::vector<Index> awakeBodies;        ///< dynamic and kinematic bodies that are awake
-  std::vector<Index> awakePairs;         ///< pairs of which a body is awake
-  std::vector<Index> awakeIslands;       ///< islands that are awake
-  BroadPhase broadPhase;                 ///< by shapes
-  int bodyCount = 0;                     ///< bodies that are alive
-  int kinematicCount = 0;                ///< of these: kinematic ones
-  int sleeping = 0;                      ///< bodies that sleep
-  int islandCount = 0;                   ///< islands that are alive
-  Real time = 0;                         ///< since the beginning [s]
-  Real lostTime = 0;                     ///< what rounding took from it [s]
-  Real lastStep = 0;                     ///< length of the last step, or of a part of it [s]
-  Real partStart = 0;                    ///< when the part began that is gone now, in its step [s]
-  Real slowestImpact = 0;                ///< points that approach more slowly just touch [m/s]
-  Real slowestBounce = 0;                ///< what parts more slowly does not part [m/s]
-  bool longSteps = false;                ///< what is struck may go farther than a few neighbours
-  Real macroStep = 0;                    ///< of the last advance; 0: none yet [s]
-  Counters counters;                     ///< of the last step
-  std::vector<ContactEvent> begun;       ///< of the last step
-  std::vector<ContactEvent> ended;       ///< of the last step
-  std::vector<ImpactEvent> impacts;      ///< of the last step
-  std::size_t endedBefore = 0;           ///< events in `ended` that a user has had a step to read
-  AskedShapes asked;                     ///< for queries
-  Workspace work;                        ///< nothing that lasts
-  Pile pile;                             ///< threads, and memory of piles
+  WorldSettings settings;                    ///< switches and limits
+  std::vector<BodySlot> bodies;              ///< all bodies, with free places between
+  std::vector<ShapeSlot> shapes;             ///< all shapes
+  std::vector<PairSlot> pairs;               ///< by slot of the broad phase
+  std::vector<KeptManifold> kept;            ///< of each of these, what a pile carries along
+  std::vector<IslandSlot> islands;           ///< all islands
+  ListPool islandLists;                      ///< memory for their bodies and pairs
+  std::vector<RotorAnchor> anchors;          ///< of bodies that turn freely
+  HullList hulls;                            ///< that shapes share
+  std::size_t hullsAtMost = 0;               ///< if there are more, those of no shape are forgotten
+  std::vector<Index> freeBodies;             ///< places that can be used again
+  std::vector<Index> freeShapes;             ///< places that can be used again
+  std::vector<Index> freeIslands;            ///< places that can be used again
+  std::vector<std::size_t> freeAnchors;      ///< places that can be used again
+  std::vector<Index> awakeBodies;            ///< dynamic and kinematic bodies that are awake
+  std::vector<Index> awakePairs;             ///< pairs of which a body is awake
+  std::vector<Index> awakeIslands;           ///< islands that are awake
+  BroadPhase broadPhase{{.stepsAhead = 0}};  ///< by shapes
+  int bodyCount = 0;                         ///< bodies that are alive
+  int kinematicCount = 0;                    ///< of these: kinematic ones
+  int sleeping = 0;                          ///< bodies that sleep
+  int islandCount = 0;                       ///< islands that are alive
+  Real time = 0;                             ///< since the beginning [s]
+  Real lostTime = 0;                         ///< what rounding took from it [s]
+  Real lastStep = 0;                         ///< length of the last step, or of a part of it [s]
+  Real partStart = 0;                ///< when the part began that is gone now, in its step [s]
+  Real slowestImpact = 0;            ///< points that approach more slowly just touch [m/s]
+  Real slowestBounce = 0;            ///< what parts more slowly does not part [m/s]
+  bool longSteps = false;            ///< what is struck may go farther than a few neighbours
+  Real macroStep = 0;                ///< of the last advance; 0: none yet [s]
+  Counters counters;                 ///< of the last step
+  std::vector<ContactEvent> begun;   ///< of the last step
+  std::vector<ContactEvent> ended;   ///< of the last step
+  std::vector<ImpactEvent> impacts;  ///< of the last step
+  std::size_t endedBefore = 0;       ///< events in `ended` that a user has had a step to read
+  AskedShapes asked;                 ///< for queries
+  Workspace work;                    ///< nothing that lasts
+  Pile pile;                         ///< threads, and memory of piles
 };
 
 /// The number of points, bodies and so on as an index of an array. \param i any number
