@@ -50,7 +50,8 @@ enum class PairSearch {
 /// How a broad phase works. \ingroup broadphase
 struct BroadPhaseSettings {
   /// Room on each side of a moving body, over the mean edge of its box [1]. More room means fewer
-  /// updates and more pairs that do not meet.
+  /// updates and more pairs that do not meet. None for what goes farther than that in a step, unless
+  /// the room reaches a step ahead.
   Real margin = 0.1;
   /// How many steps' way the room reaches ahead [1].
   Real stepsAhead = 8;
