@@ -116,15 +116,18 @@ void BroadPhase::remove(std::int32_t body) {
   --size_;
 }
 
+bool BroadPhase::staysIn(std::int32_t body, const Aabb<3>& box, const Vector3& way) const {
+  if (!contains(body)) return false;
+  const Body& one = bodies_[body];
+  return !one.isImmovable && holds(one.box, box) && isBox(box) && !hasTooMuch(one.box, box, way);
+}
+
 void BroadPhase::move(std::int32_t body, const Aabb<3>& box, const Vector3& way) {
   requireBody(*this, body);
-  Body& moved = bodies_[body];
-  if (!moved.isImmovable && holds(moved.box, box) && isBox(box) &&
-      !hasTooMuch(moved.box, box, way)) {
-    return;
-  }
+  if (staysIn(body, box, way)) return;
   requireBox(box);
   requireFinite(way, "way");
+  Body& moved = bodies_[body];
   moved.box = moved.isImmovable ? box : withRoom(box, way);
   list(body);
 }
@@ -331,6 +334,7 @@ void BroadPhase::sortEvents() {
   // Room to end all pairs in a later update, or to begin as many.
   const auto pairs = static_cast<std::size_t>(pairs_.slots());
   for (std::vector<Event>* list : {&begun_, &ended_, &removed_}) reserveAhead(*list, pairs);
+  for (Part& part : parts_) part.events.reserve(begun_.capacity());
   std::sort(begun_.begin(), begun_.end());
   std::sort(ended_.begin(), ended_.end());
   counters_.begun += static_cast<std::int64_t>(begun_.size());

@@ -29,6 +29,7 @@
 #include "carom/broadphase/sorted_sweep.hpp"
 #include "carom/broadphase/sweep_and_prune.hpp"
 #include "carom/broadphase/tree.hpp"
+#include "carom/core/kept_threads.hpp"
 #include "carom/core/variant.hpp"
 
 namespace carom {
@@ -108,6 +109,10 @@ class BroadPhase {
   /// \throws InvalidInput if it is not in, the box holds no point or the way is not finite
   void move(std::int32_t body, const Aabb<3>& box, const Vector3& way = Vector3::Zero());
 
+  /// Whether move() would do nothing; from several threads at once. \param body any number
+  /// \param box its tight box [m, world] \param way as for move() [m] \return true if it would not
+  bool staysIn(std::int32_t body, const Aabb<3>& box, const Vector3& way = Vector3::Zero()) const;
+
   /// Lets a body's pairs be looked at again by the next update(), as when its filter has changed.
   /// \param body that is in \throws InvalidInput if it is not
   void touch(std::int32_t body);
@@ -115,8 +120,10 @@ class BroadPhase {
   /// Finds who has come near whom, and who has parted.
   /// \param accept called with two bodies (the smaller number first) whose boxes meet and that are
   ///   no pair yet, and with those of pairs that are looked at again: true if they may be a pair
+  /// \param threads that share the search, or none: then `accept` is called by all of them; the
+  ///   result is the same for any number
   template <class Accept>
-  void update(Accept&& accept);
+  void update(Accept&& accept, KeptThreads* threads = nullptr);
 
   /// As above, with every pair accepted.
   void update() {
@@ -209,8 +216,25 @@ class BroadPhase {
   Tree<3>& treeOf(const Body& body);
   void gatherAll();
   void sortEvents();
+  // What one thread has found. Each has lines of the cache of its own.
+  struct alignas(64) Part {
+    std::vector<Event> events;  // old pairs, or new ones without a slot
+    std::int64_t tested = 0, visited = 0;
+  };
+  template <class Accept>
+  void findEnded(std::int32_t body, Accept&& accept, Part& part) const;
   template <class Found>
-  void searchAll(PairSearch search, Found&& found);
+  void scanFor(Part& part, std::int32_t body, Found&& found) const;
+  template <class Found>
+  void askTrees(Part& part, std::int32_t body, bool strangers, Found&& found) const;
+  template <class Work>
+  void inParts(KeptThreads* threads, std::size_t count, Work&& work);
+  template <class Take>
+  void takeParts(Take&& take);
+  template <class Found>
+  void searchNew(PairSearch how, bool scans, bool strangers, KeptThreads* threads, Found&& found);
+  template <class Found>
+  void searchAll(PairSearch search, KeptThreads* threads, Found&& found);
 
   BroadPhaseSettings settings_;
   BroadPhaseCounters counters_;
@@ -234,10 +258,11 @@ class BroadPhase {
   mutable std::vector<std::int32_t> items_;  // some bodies, and their boxes
   mutable std::vector<Aabb<3>> boxes_;
   std::vector<Event> begun_, ended_, removed_;
+  std::vector<Part> parts_;  // of the loop at hand
 };
 
 template <class Accept>
-void BroadPhase::update(Accept&& accept) {
+void BroadPhase::update(Accept&& accept, KeptThreads* threads) {
   ++counters_.updates;
   begun_.clear();
   ended_.swap(removed_);
@@ -248,85 +273,151 @@ void BroadPhase::update(Accept&& accept) {
   const bool scans = search == PairSearch::trees && !strangers && mayScan();
   updateTrees(search == PairSearch::trees && !scans && asksMoving(strangers));
 
-  // Old pairs of those that moved: do they still meet?
-  for (const std::int32_t body : moved_) {
-    if (!bodies_[body].isListed) continue;
-    pairs_.forEachOf(body, [&](std::int32_t slot, std::int32_t other) {
-      // Both moved: the smaller number looks at it.
-      if (bodies_[other].isListed && other < body) return;
-      ++counters_.tested;
-      const IndexPair pair = pairOf(body, other);
-      if (meets(bodies_[body].box, bodies_[other].box) && accept(pair.first, pair.second)) return;
-      ended_.push_back({pair, slot});
-      pairs_.remove(slot);
-    });
-  }
+  inParts(threads, moved_.size(), [&](Part& part, std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) findEnded(moved_[i], accept, part);
+  });
+  takeParts([&](const Event& event) {
+    ended_.push_back(event);
+    pairs_.remove(event.slot);
+  });
 
   // New pairs: those that meet and are no pair yet.
-  const auto found = [&](std::int32_t a, std::int32_t b) {
+  searchNew(search, scans, strangers, threads, [&](Part& part, std::int32_t a, std::int32_t b) {
     const std::uint32_t family = bodies_[a].family;
     if (family != 0 && family == bodies_[b].family) return;
     if (pairs_.find(a, b) != kNone) return;
     const IndexPair pair = pairOf(a, b);
-    if (accept(pair.first, pair.second)) begun_.push_back({pair, pairs_.add(a, b)});
-  };
-  if (search != PairSearch::trees) {
-    searchAll(search, found);
-  } else {
-    for (const std::int32_t body : moved_) {
-      if (!bodies_[body].isListed) continue;
-      const auto met = [&](std::int32_t other) {
-        ++counters_.tested;
-        // Both moved: the smaller number finds the other one.
-        if (other == body || (bodies_[other].isListed && other < body)) return;
-        found(body, other);
-      };
-      if (scans) {
-        for (std::size_t i = 0; i < items_.size(); ++i) {
-          ++counters_.tested;
-          if (!meets(boxes_[i], bodies_[body].box) || items_[i] == body) continue;
-          if (bodies_[items_[i]].isListed && items_[i] < body) continue;
-          if (bodies_[items_[i]].isImmovable && bodies_[body].isImmovable) continue;
-          found(body, items_[i]);
-        }
-        continue;
-      }
-      if (!strangers || bodies_[body].isImmovable) {
-        counters_.visited += moving_.overlap(bodies_[body].box, met);
-        counters_.visited += lively_.overlap(bodies_[body].box, met);
-      }
-      if (bodies_[body].isImmovable) continue;
-      counters_.visited += immovable_.overlap(bodies_[body].box, met);
-    }
-  }
+    if (accept(pair.first, pair.second)) part.events.push_back({pair, kNone});
+  });
+  takeParts([&](const Event& event) {
+    begun_.push_back({event.pair, pairs_.add(event.pair.first, event.pair.second)});
+  });
   for (const std::int32_t body : moved_) bodies_[body].isListed = false;
   moved_.clear();
   sortEvents();
 }
 
+// Old pairs of a body that do not meet any longer.
+template <class Accept>
+void BroadPhase::findEnded(std::int32_t body, Accept&& accept, Part& part) const {
+  if (!bodies_[body].isListed) return;
+  pairs_.forEachOf(body, [&](std::int32_t slot, std::int32_t other) {
+    // Both moved: the smaller number looks at it.
+    if (bodies_[other].isListed && other < body) return;
+    ++part.tested;
+    const IndexPair pair = pairOf(body, other);
+    if (meets(bodies_[body].box, bodies_[other].box) && accept(pair.first, pair.second)) return;
+    part.events.push_back({pair, slot});
+  });
+}
+
+// Does a loop in as many parts as there are threads. What they find is taken in the order of the
+// loop afterwards, so that pairs get the same slots for any number of threads.
+template <class Work>
+void BroadPhase::inParts(KeptThreads* threads, std::size_t count, Work&& work) {
+  constexpr std::size_t kFew = 64;  // are not worth a second thread
+  const bool shares = threads != nullptr && count > kFew;
+  const std::size_t parts = shares ? static_cast<std::size_t>(threads->count()) : 1;
+  if (parts_.size() < parts) parts_.resize(parts);
+  auto run = [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) {
+      work(parts_[k], count * k / parts, count * (k + 1) / parts);
+    }
+  };
+  if (shares) {
+    threads->loop(parts, 1, run);
+  } else {
+    run(0, 1);
+  }
+}
+
+template <class Take>
+void BroadPhase::takeParts(Take&& take) {
+  for (Part& part : parts_) {
+    for (const Event& event : part.events) take(event);
+    part.events.clear();
+    counters_.tested += part.tested;
+    counters_.visited += part.visited;
+    part.tested = part.visited = 0;
+  }
+}
+
 template <class Found>
-void BroadPhase::searchAll(PairSearch search, Found&& found) {
-  const auto met = [&](std::int32_t a, std::int32_t b) {
+void BroadPhase::searchNew(PairSearch how, bool scans, bool strangers, KeptThreads* threads,
+                           Found&& found) {
+  if (how != PairSearch::trees) return searchAll(how, threads, found);
+  const auto search = [&](Part& part, std::int32_t body) {
+    if (scans) {
+      scanFor(part, body, found);
+    } else {
+      askTrees(part, body, strangers, found);
+    }
+  };
+  inParts(threads, moved_.size(), [&](Part& part, std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      if (bodies_[moved_[i]].isListed) search(part, moved_[i]);
+    }
+  });
+}
+
+// Compares a body with all.
+template <class Found>
+void BroadPhase::scanFor(Part& part, std::int32_t body, Found&& found) const {
+  for (std::size_t i = 0; i < items_.size(); ++i) {
+    ++part.tested;
+    if (!meets(boxes_[i], bodies_[body].box) || items_[i] == body) continue;
+    if (bodies_[items_[i]].isListed && items_[i] < body) continue;
+    if (bodies_[items_[i]].isImmovable && bodies_[body].isImmovable) continue;
+    found(part, body, items_[i]);
+  }
+}
+
+template <class Found>
+void BroadPhase::askTrees(Part& part, std::int32_t body, bool strangers, Found&& found) const {
+  const auto met = [&](std::int32_t other) {
+    ++part.tested;
+    // Both moved: the smaller number finds the other one.
+    if (other == body || (bodies_[other].isListed && other < body)) return;
+    found(part, body, other);
+  };
+  if (!strangers || bodies_[body].isImmovable) {
+    part.visited += moving_.overlap(bodies_[body].box, met);
+    part.visited += lively_.overlap(bodies_[body].box, met);
+  }
+  if (!bodies_[body].isImmovable) part.visited += immovable_.overlap(bodies_[body].box, met);
+}
+
+template <class Found>
+void BroadPhase::searchAll(PairSearch search, KeptThreads* threads, Found&& found) {
+  const auto met = [&](Part& part, std::int32_t a, std::int32_t b) {
     const Body &one = bodies_[items_[a]], &other = bodies_[items_[b]];
     if (!one.isListed && !other.isListed) return;
     if (one.isImmovable && other.isImmovable) return;
-    found(items_[a], items_[b]);
+    found(part, items_[a], items_[b]);
   };
+  if (parts_.empty()) parts_.resize(1);
+  Part& first = parts_.front();
+  const auto metFirst = [&](std::int32_t a, std::int32_t b) { met(first, a, b); };
   if (search == PairSearch::sweep) {
     ++counters_.bySweep;
     if (takesPlainPath()) {
-      for (const IndexPair& pair : sweepAndPrune(boxes_)) met(pair.first, pair.second);
+      for (const IndexPair& pair : sweepAndPrune(boxes_)) metFirst(pair.first, pair.second);
     } else {
-      counters_.tested += sweep_.pairs(met);
+      counters_.tested += sweep_.pairs(metFirst);
     }
-  } else {
-    ++counters_.byGrid;
-    if (takesPlainPath()) {
-      for (const IndexPair& pair : gridPairs(boxes_, grid_.cell())) met(pair.first, pair.second);
-    } else {
-      counters_.tested += grid_.pairs(met);
-    }
+    return;
   }
+  ++counters_.byGrid;
+  if (takesPlainPath()) {
+    for (const IndexPair& pair : gridPairs(boxes_, grid_.cell())) metFirst(pair.first, pair.second);
+    return;
+  }
+  inParts(threads, grid_.places(), [&](Part& part, std::size_t begin, std::size_t end) {
+    part.tested +=
+        grid_.pairsAt(begin, end, [&](std::int32_t a, std::int32_t b) { met(part, a, b); });
+  });
+  Part& last = parts_.back();
+  last.tested += grid_.pairsOfBig([&](std::int32_t a, std::int32_t b) { met(last, a, b); });
 }
 
 }  // namespace carom

@@ -36,6 +36,21 @@ class PairGrid {
   template <class Visit>
   std::int64_t pairs(Visit&& visit) const;
 
+  /// Places at which pairs of boxes that are not big are found. \return how many
+  std::size_t places() const {
+    return entries_.size();
+  }
+
+  /// Of the same pairs those that are found at some places; from several threads at once for
+  /// different ones. \param begin the first place \param end behind the last one
+  /// \param visit as for pairs() \return how many pairs were compared
+  template <class Visit>
+  std::int64_t pairsAt(std::size_t begin, std::size_t end, Visit&& visit) const;
+
+  /// And those of big boxes. \param visit as for pairs() \return how many pairs were compared
+  template <class Visit>
+  std::int64_t pairsOfBig(Visit&& visit) const;
+
   /// Edge of the cells. \return [m]
   Real cell() const {
     return cell_;
@@ -81,8 +96,14 @@ inline std::uint64_t PairGrid::digitsOf(std::int64_t number, std::size_t axis) c
 
 template <class Visit>
 std::int64_t PairGrid::pairs(Visit&& visit) const {
+  const std::int64_t tested = pairsAt(0, entries_.size(), visit);
+  return tested + pairsOfBig(visit);
+}
+
+template <class Visit>
+std::int64_t PairGrid::pairsAt(std::size_t begin, std::size_t end, Visit&& visit) const {
   std::int64_t tested = 0;
-  for (std::size_t a = 0; a < entries_.size(); ++a) {
+  for (std::size_t a = begin; a < end; ++a) {
     const Aabb<3>& box = boxes_[entries_[a].box];
     const Cells& cells = cells_[entries_[a].box];
     for (std::size_t b = a + 1; b < entries_.size() && entries_[b].key == entries_[a].key; ++b) {
@@ -100,6 +121,12 @@ std::int64_t PairGrid::pairs(Visit&& visit) const {
       visit(pair.first, pair.second);
     }
   }
+  return tested;
+}
+
+template <class Visit>
+std::int64_t PairGrid::pairsOfBig(Visit&& visit) const {
+  std::int64_t tested = 0;
   const auto count = static_cast<std::int32_t>(boxes_.size());
   for (const std::int32_t a : big_) {
     for (std::int32_t b = 0; b < count; ++b) {

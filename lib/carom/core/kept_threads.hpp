@@ -6,8 +6,11 @@
 // is a short spin, then a sleep in the kernel: a step has dozens of loops of some microseconds.
 // Why no queue of tasks: runs that are fixed need no lock, and who does what does not depend on who
 // is fast.
-// Not handled: loops whose turns take unlike times, and calls from within a loop.
+// Where turns take unlike times threads take pieces instead, by a number that all count up.
+// Not handled: calls from within a loop.
 
+#include <algorithm>
+#include <atomic>
 #include <cstddef>
 #include <memory>
 #include <type_traits>
@@ -42,6 +45,25 @@ class KeptThreads {
           (*static_cast<std::remove_reference_t<Run>*>(what))(begin, end);
         },
         &run);
+  }
+
+  /// Runs a loop whose turns take unlike times: each thread takes piece after piece. Who does what
+  /// depends on who is fast. \param count its turns \param grain turns of a piece; positive
+  /// \param run called as run(begin, end), in each thread any number of times
+  template <class Run>
+  void pieces(std::size_t count, std::size_t grain, Run&& run) {
+    if (this->count() == 1 || count <= grain) {
+      if (count > 0) run(std::size_t(0), count);
+      return;
+    }
+    std::atomic<std::size_t> next{0};
+    loop(static_cast<std::size_t>(this->count()), 1, [&](std::size_t, std::size_t) {
+      for (;;) {
+        const std::size_t begin = next.fetch_add(grain, std::memory_order_relaxed);
+        if (begin >= count) return;
+        run(begin, std::min(count, begin + grain));
+      }
+    });
   }
 
  private:

@@ -1,6 +1,7 @@
 #include "carom/solver/soft_steps.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <vector>
 
@@ -268,6 +269,18 @@ const SoftKernel<T>& kernelOf(RowWidth width) {
   return width == RowWidth::narrow ? narrowKernel<T>() : widestKernel<T>();
 }
 
+// Whether a contact of a block bounces is known when all are described. Returns whether any does.
+template <class T>
+bool markBounces(SoftBlock<T>* begin, SoftBlock<T>* end) {
+  bool any = false;
+  for (SoftBlock<T>* block = begin; block != end; ++block) {
+    block->bounces = 0;
+    for (const T e : block->restitution.x) block->bounces |= e > 0 ? 1 : 0;
+    any = any || block->bounces != 0;
+  }
+  return any;
+}
+
 template <class T>
 void runSteps(RowMemory<T>& memory, std::size_t bodyCount, std::size_t movable,
               std::span<const std::int32_t> firstBlock, const SoftSettings& settings, Real duration,
@@ -297,7 +310,11 @@ void runSteps(RowMemory<T>& memory, std::size_t bodyCount, std::size_t movable,
     });
   };
 
-  eachBlock([&](auto* begin, auto* end) { kernel.prepare(begin, end, bodies); });
+  std::atomic<bool> bounces{false};
+  eachBlock([&](auto* begin, auto* end) {
+    if (markBounces(begin, end)) bounces.store(true, std::memory_order_relaxed);
+    kernel.prepare(begin, end, bodies);
+  });
   for (int step = 0; step < settings.shortSteps; ++step) {
     eachBody([&](int begin, int end) {
       if (step > 0) kernel.note(bodies, begin, end);
@@ -309,8 +326,6 @@ void runSteps(RowMemory<T>& memory, std::size_t bodyCount, std::size_t movable,
     eachColor([&](auto* begin, auto* end) { kernel.relax(begin, end, bodies, numbers); });
   }
   eachBody([&](int begin, int end) { kernel.note(bodies, begin, end); });
-  const bool bounces = std::any_of(memory.blocks.begin(), memory.blocks.end(),
-                                   [](const SoftBlock<T>& block) { return block.bounces != 0; });
   if (bounces) {
     eachColor([&](auto* begin, auto* end) { kernel.bounce(begin, end, bodies, numbers); });
   }
@@ -322,21 +337,11 @@ SoftMotion motionOf(const RowMemory<T>& memory, std::size_t i) {
   return {{vectorOf(v.x), vectorOf(v.x + 3)}, vectorOf(way.x), vectorOf(way.x + 3), way.x[6] > 0};
 }
 
-// Whether a contact of a block bounces is known when all are described.
-template <class T>
-void markBounces(std::vector<SoftBlock<T>>& blocks) {
-  for (SoftBlock<T>& block : blocks) {
-    block.bounces = 0;
-    for (const T e : block.restitution.x) block.bounces |= e > 0 ? 1 : 0;
-  }
-}
-
 }  // namespace
 
 SoftCounts SoftSteps::run(const SoftSettings& settings, Real duration, KeptThreads& threads) {
   Memory& m = *memory_;
   withRows(m, [&](auto& rows) {
-    markBounces(rows.blocks);
     runSteps(rows, m.bodies, m.movable, m.firstBlock, settings, duration, threads);
   });
   SoftCounts counts;

@@ -387,7 +387,10 @@ bool isPile(const WorldState& state, const IslandSlot& island) {
 bool beginIsland(WorldState& state, Index index, Real start, Real end) {
   IslandSlot& island = state.islands[at(index)];
   // Pairs of an island that was still until now have no manifold of this step yet.
-  for (const Index pair : island.pairs) makeManifold(state, pair, start, end - start);
+  const bool mayLack = start > 0 || state.longSteps || state.counters.pairsKept > 0;
+  for (std::size_t i = 0; mayLack && i < island.pairs.size(); ++i) {
+    makeManifold(state, island.pairs[i], start, end - start);
+  }
   island.isPile = isPile(state, island);
   if (island.isPile) island.pileFor = std::max(0, island.pileFor - 1);
   return island.isPile;
@@ -454,9 +457,14 @@ void advanceInRoom(WorldState& state, std::span<const Index> piles, Real start, 
   Workspace& work = state.work;
   work.set.clear();
   work.setPairs.clear();
+  constexpr std::size_t kFew = 4;  // are not worth a second thread
+  shareOut(state, piles.size(), kFew,
+           [&](std::size_t i) { watchEnergy(state, state.islands[at(piles[i])]); });
+  std::vector<std::size_t>& firsts = state.pile.firsts;
+  firsts.clear();
   for (const Index index : piles) {
-    IslandSlot& island = state.islands[at(index)];
-    watchEnergy(state, island);
+    const IslandSlot& island = state.islands[at(index)];
+    firsts.push_back(work.set.size());
     work.set.insert(work.set.end(), island.bodies.begin(), island.bodies.end());
     for (const Index pair : island.pairs) {
       if (!isDynamic(state.bodies[at(state.pairs[at(pair)].bodyA)])) work.setPairs.push_back(pair);
@@ -465,11 +473,16 @@ void advanceInRoom(WorldState& state, std::span<const Index> piles, Real start, 
   rememberStarts(state, work.set);
   advancePiles(state, piles, start, end);
   holdMiddles(state, work.set, work.setPairs, {start, end});
-  std::span<const Pose> starts = work.starts;
-  for (const Index index : piles) {
-    const IslandSlot& island = state.islands[at(index)];
-    keepEnergy(state, island, starts.first(island.bodies.size()), end - start);
-    starts = starts.subspan(island.bodies.size());
+  std::vector<Real>& shares = state.pile.shares;
+  shares.resize(piles.size());
+  shareOut(state, piles.size(), kFew, [&](std::size_t i) {
+    const IslandSlot& island = state.islands[at(piles[i])];
+    const auto starts = std::span<const Pose>(work.starts).subspan(firsts[i], island.bodies.size());
+    shares[i] = keptShare(state, island, starts, end - start);
+  });
+  for (std::size_t i = 0; i < piles.size(); ++i) {
+    if (shares[i] == kAllSpeed) continue;
+    slowDown(state, state.islands[at(piles[i])], shares[i], end - start);
   }
 }
 

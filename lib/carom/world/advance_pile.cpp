@@ -16,14 +16,11 @@ constexpr std::size_t kFew = 64;
 
 // What the events of a step have left is a force over whatever time was left of it: it may be
 // thousands of times what a whole step needs, and threw bodies out of a heap as if shot.
-void dropForcesOfEvents(WorldState& state, const IslandSlot& island) {
-  for (const Index index : island.pairs) {
-    PairSlot& pair = state.pairs[at(index)];
-    if (pair.bySoftSteps || pair.leftOut) continue;
-    pair.force = {};
-    pair.rub = Vector3::Zero();
-    pair.twist = 0;
-  }
+void dropForcesOfEvents(PairSlot& pair) {
+  if (pair.bySoftSteps || pair.leftOut) return;
+  pair.force = {};
+  pair.rub = Vector3::Zero();
+  pair.twist = 0;
 }
 
 // Bodies get numbers, those that contacts can move first.
@@ -38,8 +35,31 @@ void numberBodies(WorldState& state, std::span<const Index> islands) {
   }
 }
 
+// What is asked of the pairs of all islands, in their order. Pairs lie far apart in memory, so all
+// threads look at them.
+void lookAtPairs(WorldState& state, std::span<const Index> islands) {
+  Pile& pile = state.pile;
+  pile.looks.clear();
+  for (const Index island : islands) {
+    for (const Index pair : state.islands[at(island)].pairs) pile.looks.push_back({.pair = pair});
+  }
+  const auto numberOf = [&](Index index) {
+    const BodySlot& body = state.bodies[at(index)];
+    return isDynamic(body) ? body.local : kNone;
+  };
+  shareOut(state, pile.looks.size(), 2 * kFew, [&](std::size_t i) {
+    PileLook& look = pile.looks[i];
+    PairSlot& pair = state.pairs[at(look.pair)];
+    dropForcesOfEvents(pair);
+    if (pair.leftOut || pair.manifold.count == 0) return;
+    look.count = static_cast<std::uint8_t>(pair.manifold.count);
+    look.a = numberOf(pair.bodyA);
+    look.b = numberOf(pair.bodyB);
+  });
+}
+
 // Pairs with points become edges; what they touch and cannot move gets a number as well.
-void numberContacts(WorldState& state, std::span<const Index> islands) {
+void numberContacts(WorldState& state) {
   Pile& pile = state.pile;
   pile.pairs.clear();
   pile.edges.clear();
@@ -54,17 +74,13 @@ void numberContacts(WorldState& state, std::span<const Index> islands) {
     }
     return body.local;
   };
-  for (const Index island : islands) {
-    const std::span<const Index> all = state.islands[at(island)].pairs;
-    for (std::size_t i = 0; i < all.size(); ++i) {
-      fetchAhead(state, all, i);
-      const Index index = all[i];
-      const PairSlot& pair = state.pairs[at(index)];
-      if (pair.leftOut || pair.manifold.count == 0) continue;
-      pile.pairs.push_back(index);
-      pile.edges.push_back({numberOf(pair.bodyA), numberOf(pair.bodyB)});
-      pile.counts.push_back(static_cast<std::uint8_t>(pair.manifold.count));
-    }
+  for (const PileLook& look : pile.looks) {
+    if (look.count == 0) continue;
+    const Index a = look.a >= 0 ? look.a : numberOf(state.pairs[at(look.pair)].bodyA);
+    const Index b = look.b >= 0 ? look.b : numberOf(state.pairs[at(look.pair)].bodyB);
+    pile.pairs.push_back(look.pair);
+    pile.edges.push_back({a, b});
+    pile.counts.push_back(look.count);
   }
 }
 
@@ -145,27 +161,20 @@ void storeForces(WorldState& state, std::size_t place, Real duration) {
   pair.bySoftSteps = true;
 }
 
+// What has to be done for a body by one thread, after all have moved those that contacts push.
+enum AfterMotion : std::uint8_t { nothing, dropItsAnchor, moveFreely };
+
 // What no contact has moved is left to the closed form.
-void noteFree(WorldState& state, std::size_t movable) {
-  const Pile& pile = state.pile;
-  for (std::size_t i = 0; i < movable; ++i) {
-    BodySlot& body = state.bodies[at(pile.members[i])];
-    body.byEnd = false;
-    body.isFree = !pile.steps.body(i).touched;
-    if (!body.isFree) {
-      dropAnchor(state, body);
-      continue;
-    }
+AfterMotion takeMotion(WorldState& state, std::size_t i, Real dt, Real until) {
+  const SoftMotion motion = state.pile.steps.body(i);
+  BodySlot& body = state.bodies[at(state.pile.members[i])];
+  body.byEnd = false;
+  body.isFree = !motion.touched;
+  if (body.isFree) {
     body.acceleration = freeAcceleration(state, body);
     body.turning = Vector3::Zero();
+    return moveFreely;
   }
-}
-
-void takeMotion(WorldState& state, std::size_t i, Real dt, Real until) {
-  const Pile& pile = state.pile;
-  BodySlot& body = state.bodies[at(pile.members[i])];
-  if (body.isFree) return;
-  const SoftMotion motion = pile.steps.body(i);
   const bool isFast = needsEnergyKept(body, body.velocity.angular, dt);
   const Matrix3 middle = isFast ? middleOf(body, dt) : Matrix3::Identity();
   body.position += motion.way;
@@ -177,18 +186,33 @@ void takeMotion(WorldState& state, std::size_t i, Real dt, Real until) {
   body.clock = until;
   refreshPose(body);
   if (isFast) keepTurningEnergy(body, middle);
+  return body.anchor ? dropItsAnchor : nothing;
+}
+
+// Bodies share the list of anchors, and drop theirs before others take new ones.
+void takeMotions(WorldState& state, std::size_t movable, Real dt, Real until) {
+  std::vector<std::uint8_t>& after = state.work.seen;
+  after.resize(movable);
+  shareOut(state, movable, kFew,
+           [&](std::size_t i) { after[i] = takeMotion(state, i, dt, until); });
+  for (std::size_t i = 0; i < movable; ++i) {
+    if (after[i] == dropItsAnchor) dropAnchor(state, state.bodies[at(state.pile.members[i])]);
+  }
+  for (std::size_t i = 0; i < movable; ++i) {
+    if (after[i] == moveFreely) moveBody(state, state.pile.members[i], until, true);
+  }
 }
 
 }  // namespace
 
 void advancePiles(WorldState& state, std::span<const Index> islands, Real start, Real until) {
   if (islands.empty()) return;
-  for (const Index index : islands) dropForcesOfEvents(state, state.islands[at(index)]);
   const Real dt = until - start;
   Pile& pile = state.pile;
   numberBodies(state, islands);
   const std::size_t movable = pile.members.size();
-  numberContacts(state, islands);
+  lookAtPairs(state, islands);
+  numberContacts(state);
   // As much as the swings of tall walls ask for; less leaves them, more lets the walls sink.
   constexpr Real kGive = 0.28;
   const SoftSettings settings{.shortSteps = state.settings.shortSteps,
@@ -196,26 +220,20 @@ void advancePiles(WorldState& state, std::span<const Index> islands, Real start,
                               .slowestBounce = state.settings.gravity.norm() * dt,
                               .width = state.settings.rowWidth};
   const Real duration = dt / settings.shortSteps;
-  KeptThreads& threads = threadsOf(pile, state.settings.threads);
-  const auto each = [&](std::size_t count, auto&& work) {
-    threads.loop(count, kFew, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i) work(i);
-    });
-  };
   pile.steps.begin(pile.members.size(), movable, RowNumbers::floats);
-  each(pile.members.size(),
-       [&](std::size_t i) { describeBody(state, i, dt, settings.shortSteps); });
+  shareOut(state, pile.members.size(), kFew,
+           [&](std::size_t i) { describeBody(state, i, dt, settings.shortSteps); });
   pile.steps.place(pile.edges, pile.counts);
-  each(pile.steps.places(), [&](std::size_t i) { describeContact(state, i, duration); });
-  const SoftCounts counts = pile.steps.run(settings, dt, threads);
+  shareOut(state, pile.steps.places(), kFew,
+           [&](std::size_t i) { describeContact(state, i, duration); });
+  const SoftCounts counts = pile.steps.run(settings, dt, threadsOf(pile, state.settings.threads));
   state.counters.pileBodies += static_cast<std::int64_t>(movable);
   state.counters.pileContacts += static_cast<std::int64_t>(pile.pairs.size());
   state.counters.pileColors = std::max<std::int64_t>(state.counters.pileColors, counts.colors);
   state.counters.rowsSolved += counts.rows;
-  each(pile.steps.places(), [&](std::size_t i) { storeForces(state, i, duration); });
-  noteFree(state, movable);  // anchors are shared, so that one thread does this
-  each(movable, [&](std::size_t i) { takeMotion(state, i, dt, until); });
-  for (std::size_t i = 0; i < movable; ++i) moveBody(state, pile.members[i], until, true);
+  shareOut(state, pile.steps.places(), kFew,
+           [&](std::size_t i) { storeForces(state, i, duration); });
+  takeMotions(state, movable, dt, until);
 }
 
 }  // namespace carom::world

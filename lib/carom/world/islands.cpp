@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "carom/core/reserve_ahead.hpp"
 #include "carom/core/variant.hpp"
 #include "carom/world/find_islands.hpp"
 #include "carom/world/may_sleep.hpp"
@@ -11,6 +12,8 @@
 namespace carom::world {
 
 namespace {
+
+constexpr std::size_t kFewPairs = 256;  // are not worth a second thread
 
 // Takes element `where` out of a list; the last one takes its place. Returns who moved, or kNone.
 Index takeOut(std::vector<Index>& list, Index where) {
@@ -33,6 +36,8 @@ Index newIsland(WorldState& state) {
     state.freeIslands.reserve(most);
     state.awakeIslands.reserve(most);
     state.pile.islands.reserve(most);
+    state.pile.firsts.reserve(most);
+    state.pile.shares.reserve(most);
     state.islandLists.provide(2 * most);
   } else {
     island = state.freeIslands.back();
@@ -103,29 +108,36 @@ void join(WorldState& state, Index from, Index to) {
 // breaks it is put aside together with what stood before it, sorted, and merged with the rest.
 void sortPairs(WorldState& state, IslandSlot& island) {
   std::vector<OrderedPair>&kept = state.work.sorted, &aside = state.work.aside;
-  kept.clear();
+  reserveAhead(kept, island.pairs.size());
+  kept.resize(island.pairs.size());
+  shareOut(state, island.pairs.size(), kFewPairs, [&](std::size_t i) {
+    fetchAhead(state, island.pairs, i);
+    kept[i] = {state.pairs[at(island.pairs[i])].order, island.pairs[i]};
+  });
   aside.clear();
-  for (const Index pair : island.pairs) {
-    const OrderedPair next{state.pairs[at(pair)].order, pair};
-    if (kept.empty() || kept.back().order < next.order) {
-      kept.push_back(next);
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < island.pairs.size(); ++i) {
+    const OrderedPair next = kept[i];
+    if (count == 0 || kept[count - 1].order < next.order) {
+      kept[count++] = next;
       continue;
     }
-    aside.push_back(kept.back());
+    aside.push_back(kept[--count]);
     aside.push_back(next);
-    kept.pop_back();
   }
+  kept.resize(count);
   const auto before = [](const OrderedPair& a, const OrderedPair& b) { return a.order < b.order; };
   std::sort(aside.begin(), aside.end(), before);
   auto first = kept.begin(), second = aside.begin();
   for (std::size_t i = 0; i < island.pairs.size(); ++i) {
     const bool isFirst = second == aside.end() || (first != kept.end() && before(*first, *second));
-    const Index pair = isFirst ? (first++)->pair : (second++)->pair;
-    if (island.pairs[i] == pair && state.pairs[at(pair)].islandAt == static_cast<Index>(i))
-      continue;
-    island.pairs[i] = pair;
-    state.pairs[at(pair)].islandAt = static_cast<Index>(i);
+    island.pairs[i] = isFirst ? (first++)->pair : (second++)->pair;
   }
+  shareOut(state, island.pairs.size(), kFewPairs, [&](std::size_t i) {
+    fetchAhead(state, island.pairs, i);
+    Index& place = state.pairs[at(island.pairs[i])].islandAt;
+    if (place != static_cast<Index>(i)) place = static_cast<Index>(i);
+  });
 }
 
 void sortIsland(WorldState& state, IslandSlot& island) {
@@ -137,20 +149,28 @@ void sortIsland(WorldState& state, IslandSlot& island) {
 // The bodies of an island by local numbers, with their contacts. Immovable ones get numbers, too.
 void describe(WorldState& state, const IslandSlot& island) {
   Workspace& work = state.work;
-  work.links.clear();
   work.flags.assign(island.bodies.size(), 1);
   for (std::size_t i = 0; i < island.bodies.size(); ++i) {
     state.bodies[at(island.bodies[i])].local = static_cast<Index>(i);
   }
-  for (const Index pair : island.pairs) {
-    const PairSlot& slot = state.pairs[at(pair)];
-    const auto number = [&](Index body) {
-      if (isDynamic(state.bodies[at(body)])) return state.bodies[at(body)].local;
-      work.flags.push_back(0);
-      return static_cast<Index>(work.flags.size()) - 1;
+  work.links.resize(island.pairs.size());
+  shareOut(state, island.pairs.size(), kFewPairs, [&](std::size_t i) {
+    fetchAhead(state, island.pairs, i);
+    const PairSlot& slot = state.pairs[at(island.pairs[i])];
+    const auto number = [&](Index index) {
+      const BodySlot& body = state.bodies[at(index)];
+      return isDynamic(body) ? body.local : kNone;
     };
-    const Index a = number(slot.bodyA), b = number(slot.bodyB);
-    work.links.push_back(pairOf(a, b));
+    work.links[i] = {number(slot.bodyA), number(slot.bodyB)};
+  });
+  const auto newNumber = [&] {
+    work.flags.push_back(0);
+    return static_cast<Index>(work.flags.size()) - 1;
+  };
+  for (IndexPair& link : work.links) {
+    if (link.first == kNone) link.first = newNumber();
+    if (link.second == kNone) link.second = newNumber();
+    link = pairOf(link.first, link.second);
   }
   work.labels.resize(work.flags.size());
 }

@@ -76,16 +76,6 @@ Real pulledHeight(const WorldState& state, const IslandSlot& island, Real durati
   return overlaps;
 }
 
-void slowDown(WorldState& state, const IslandSlot& island, const Vector3& frame, Real share) {
-  ++state.counters.energiesKept;
-  for (const Index index : island.bodies) {
-    BodySlot& body = state.bodies[at(index)];
-    dropAnchor(state, body);
-    body.velocity.linear = frame + share * (body.velocity.linear - frame);
-    body.velocity.angular *= share;
-  }
-}
-
 }  // namespace
 
 void watchEnergy(WorldState& state, IslandSlot& island) {
@@ -133,9 +123,9 @@ void payForWay(const WorldState& state, IslandSlot& island, BodySlot& body, cons
   island.lifted += cost - body.weight * (speed * speed - left) / 2;
 }
 
-void keepEnergy(WorldState& state, const IslandSlot& island, std::span<const Pose> starts,
-                Real duration) {
-  if (!island.energyKept) return;
+Real keptShare(const WorldState& state, const IslandSlot& island, std::span<const Pose> starts,
+               Real duration) {
+  if (!island.energyKept) return kAllSpeed;
   const Vector3 frame = island.frame + duration * island.frameFalls;
   const Vector3 ahead = duration / 2 * (island.frame + frame);
   const auto costOfBody = [&](std::size_t i) {
@@ -151,13 +141,30 @@ void keepEnergy(WorldState& state, const IslandSlot& island, std::span<const Pos
   const Real visible = island.isPile ? 0 : 1e-6;
   const Real slack = island.motion + mass * (duration * state.settings.gravity).squaredNorm();
   const Real now = motionOf(state, island, frame);
-  if (!(now > 0) || now <= most + visible * slack) return;
+  if (!(now > 0) || now <= most + visible * slack) return kAllSpeed;
   const Real pulled = island.isPile ? pulledHeight(state, island, duration) : 0;
   for (std::size_t i = 0; pulled > 0 && i < island.bodies.size(); ++i) {
     const BodySlot& body = state.bodies[at(island.bodies[i])];
     most += std::clamp(costOfBody(i), Real(0), costOfHeight(state, body, pulled));
   }
-  if (now > most) slowDown(state, island, frame, std::sqrt(std::max(Real(0), most) / now));
+  return now > most ? std::sqrt(std::max(Real(0), most) / now) : kAllSpeed;
+}
+
+void slowDown(WorldState& state, const IslandSlot& island, Real share, Real duration) {
+  const Vector3 frame = island.frame + duration * island.frameFalls;
+  ++state.counters.energiesKept;
+  for (const Index index : island.bodies) {
+    BodySlot& body = state.bodies[at(index)];
+    dropAnchor(state, body);
+    body.velocity.linear = frame + share * (body.velocity.linear - frame);
+    body.velocity.angular *= share;
+  }
+}
+
+void keepEnergy(WorldState& state, const IslandSlot& island, std::span<const Pose> starts,
+                Real duration) {
+  const Real share = keptShare(state, island, starts, duration);
+  if (share != kAllSpeed) slowDown(state, island, share, duration);
 }
 
 }  // namespace carom::world

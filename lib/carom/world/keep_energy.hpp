@@ -34,6 +34,19 @@ void watchEnergy(WorldState& state, IslandSlot& island);
 void keepEnergy(WorldState& state, const IslandSlot& island, std::span<const Pose> starts,
                 Real duration);
 
+/// The first half of keepEnergy(); from several threads at once. \param state of the world
+/// \param island as above \param starts as above \param duration of the step [s]
+/// \return share of its speed that it may keep, kAllSpeed for all of it [1] \ingroup world
+Real keptShare(const WorldState& state, const IslandSlot& island, std::span<const Pose> starts,
+               Real duration);
+
+/// A share that takes nothing away. \ingroup world
+inline constexpr Real kAllSpeed = 2;
+
+/// The second half. \param state of the world \param island as above
+/// \param share from keptShare(), not kAllSpeed \param duration of the step [s] \ingroup world
+void slowDown(WorldState& state, const IslandSlot& island, Real share, Real duration);
+
 /// How much of the ways by which bodies are to be moved out of overlaps can be paid for. That much
 /// is paid. \param state of the world; the ways stand for velocities in work.moving
 /// \param bodies all of an island that is watched, at least one \return share [1] \ingroup world

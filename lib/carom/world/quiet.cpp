@@ -4,11 +4,14 @@
 #include <cmath>
 #include <limits>
 
+#include "carom/core/reserve_ahead.hpp"
 #include "carom/world/move_body.hpp"
 
 namespace carom::world {
 
 namespace {
+
+constexpr std::size_t kFew = 128;  // bodies or pairs are not worth a second thread
 
 void describe(const WorldState& state, const BodySlot& body, Real dt, QuietBody& quiet) {
   quiet = QuietBody();
@@ -65,23 +68,30 @@ void spread(Workspace& work) {
   }
 }
 
-// Notes a pair; if it may touch at once, its bodies are not quiet.
-void note(WorldState& state, Index index) {
+// A pair as described bodies make it. Nothing is changed: several threads do this at the same time.
+QuietPair quietPair(const WorldState& state, Index index) {
   const PairSlot& pair = state.pairs[at(index)];
-  QuietBody &a = state.work.quiet[at(pair.bodyA)], &b = state.work.quiet[at(pair.bodyB)];
   // What cannot be moved is A, and in no list of bodies.
-  if (state.bodies[at(pair.bodyA)].kind == BodyKind::immovable) a = QuietBody();
+  const bool byWall = state.bodies[at(pair.bodyA)].kind == BodyKind::immovable;
+  const QuietBody wall;
+  const QuietBody &a = byWall ? wall : state.work.quiet[at(pair.bodyA)],
+                  &b = state.work.quiet[at(pair.bodyB)];
   const Real gap = gapOf(state.shapes[at(pair.shapeA)], a, state.shapes[at(pair.shapeB)], b) -
                    state.settings.contactMargin;
   const Real room = gap - wayOfQuiet(a, b), all = a.way + b.way;
   const bool atOnce = !(room > 0);
-  if (atOnce && a.isDynamic) a.until = 0;
-  if (atOnce && b.isDynamic) b.until = 0;
   // A part of more than a whole step is never handed on.
-  state.work.quietPairs.push_back({index, pair.bodyA, pair.bodyB, gap,
-                                   atOnce       ? 0
-                                   : room < all ? room / all
-                                                : Real(1)});
+  const Real part = atOnce ? 0 : room < all ? room / all : Real(1);
+  return {index, pair.bodyA, pair.bodyB, gap, part, byWall};
+}
+
+// What may touch at once is not quiet.
+void endQuiet(Workspace& work, const QuietPair& pair) {
+  QuietBody &a = work.quiet[at(pair.bodyA)], &b = work.quiet[at(pair.bodyB)];
+  if (pair.byWall) a = QuietBody();
+  if (pair.part != 0) return;
+  if (a.isDynamic) a.until = 0;
+  if (b.isDynamic) b.until = 0;
 }
 
 bool canTouch(const WorldState& state, const QuietPair& pair) {
@@ -114,22 +124,28 @@ void leaveQuietPairs(WorldState& state, Real dt) {
   if (std::none_of(state.awakeBodies.begin(), state.awakeBodies.end(), goesFar)) return;
   work.knowsQuiet = true;
   work.quiet.resize(state.bodies.size());
-  for (const Index index : state.awakeBodies) {
+  shareOut(state, state.awakeBodies.size(), kFew, [&](std::size_t i) {
+    const Index index = state.awakeBodies[i];
     describe(state, state.bodies[at(index)], dt, work.quiet[at(index)]);
-  }
-  work.quietPairs.clear();
-  for (std::size_t i = 0; i < work.toMake.size(); ++i) {
+  });
+  const std::size_t count = work.toMake.size();
+  reserveAhead(work.quietPairs, count);
+  work.quietPairs.resize(count);
+  shareOut(state, count, kFew, [&](std::size_t i) {
     fetchAhead(state, work.toMake, i);
-    note(state, work.toMake[i]);
-  }
+    work.quietPairs[i] = quietPair(state, work.toMake[i]);
+  });
+  for (const QuietPair& pair : work.quietPairs) endQuiet(work, pair);
   spread(work);
+  work.seen.resize(count);
+  shareOut(state, count, kFew, [&](std::size_t i) {
+    const QuietPair& pair = work.quietPairs[i];
+    work.seen[i] = canTouch(state, pair) ? 1 : 0;
+    if (work.seen[i] == 0) leaveOut(state.pairs[at(pair.pair)]);
+  });
   work.toMake.clear();
-  for (const QuietPair& pair : work.quietPairs) {
-    if (canTouch(state, pair)) {
-      work.toMake.push_back(pair.pair);
-    } else {
-      leaveOut(state.pairs[at(pair.pair)]);
-    }
+  for (std::size_t i = 0; i < count; ++i) {
+    if (work.seen[i] != 0) work.toMake.push_back(work.quietPairs[i].pair);
   }
 }
 

@@ -48,18 +48,32 @@ void advanceFree(WorldState& state, Real dt) {
 
 }  // namespace
 
+namespace {
+
+// Whether a pair has begun to touch in this step, or has ended.
+bool hasChanged(const WorldState& state, const PairSlot& pair) {
+  if (pair.madeAt < 0) return false;  // kept: as it was
+  if (pair.leftOut && !pair.touches) return false;
+  bool touches = false;
+  for (int k = 0; k < pair.manifold.count; ++k) touches = touches || isClosed(state, pair, k);
+  return touches != pair.touches;
+}
+
+}  // namespace
+
 void reportContacts(WorldState& state) {
-  for (std::size_t i = 0; i < state.awakePairs.size(); ++i) {
+  constexpr std::size_t kFew = 128;  // are not worth a second thread
+  std::vector<std::uint8_t>& changed = state.work.seen;
+  changed.resize(state.awakePairs.size());
+  shareOut(state, state.awakePairs.size(), kFew, [&](std::size_t i) {
     fetchAhead(state, state.awakePairs, i);
+    changed[i] = hasChanged(state, state.pairs[at(state.awakePairs[i])]) ? 1 : 0;
+  });
+  for (std::size_t i = 0; i < changed.size(); ++i) {
+    if (changed[i] == 0) continue;
     PairSlot& pair = state.pairs[at(state.awakePairs[i])];
-    if (pair.madeAt < 0) continue;  // kept: as it was
-    if (pair.leftOut && !pair.touches) continue;
-    bool touches = false;
-    for (int k = 0; k < pair.manifold.count; ++k) touches = touches || isClosed(state, pair, k);
-    if (touches != pair.touches) {
-      (touches ? state.begun : state.ended).push_back(eventOf(state, pair));
-    }
-    pair.touches = touches;
+    pair.touches = !pair.touches;
+    (pair.touches ? state.begun : state.ended).push_back(eventOf(state, pair));
   }
   const auto byIds = [](const ContactEvent& a, const ContactEvent& b) {
     return a.shapeA != b.shapeA ? a.shapeA < b.shapeA : a.shapeB < b.shapeB;

@@ -1,6 +1,7 @@
 #include "carom/world/update_contacts.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -19,6 +20,9 @@
 namespace carom::world {
 
 namespace {
+
+// Fewer than these are not worth a second thread.
+constexpr std::size_t kFewBodies = 64, kFewPairs = 128;
 
 // How far the points of a body can go in a time, in any direction: by its speed and by what acts on
 // it, and by its turning.
@@ -103,11 +107,13 @@ void makeRoomForLists(WorldState& state, std::size_t bodies, std::size_t pairs) 
   work.setPairs.reserve(2 * pairs);  // a pair may be there for each of its bodies
   for (std::vector<ContactEvent>* list : {&state.begun, &state.ended}) list->reserve(pairs);
   work.links.reserve(pairs);
+  pile.looks.reserve(pairs);
   pile.edges.reserve(pairs);
   pile.counts.reserve(pairs);
   // Each pair with what cannot be moved gives it a number.
   work.labels.reserve(bodies + pairs);
   work.flags.reserve(bodies + pairs);
+  work.seen.reserve(std::max(bodies, pairs));
 }
 
 bool mayMeet(const WorldState& state, Index a, Index b) {
@@ -125,7 +131,10 @@ Aabb<3> boundsOfShape(const ShapeSlot& shape, const Pose& pose) {
   return data.isHalfSpace ? boundsOf(data.whole, pose) : boundsOf(data.convex, pose);
 }
 
-void moveBoxes(WorldState& state, Index index, Real dt) {
+namespace {
+
+// Nothing but the body and its shapes is changed: several threads do this at the same time.
+void sweepBoxes(WorldState& state, Index index, Real dt) {
   BodySlot& body = state.bodies[at(index)];
   const Ways ways = waysOf(state, body, dt);
   body.straight = ways.straight;
@@ -139,13 +148,28 @@ void moveBoxes(WorldState& state, Index index, Real dt) {
     shape.swept = boundsOfShape(shape, poseOfShape(body, shape));
     shape.swept.low -= room;
     shape.swept.high += room;
-    if (state.settings.pairFinding == PairFinding::allPairs) {
-      const Vector3 everywhere = Vector3::Constant(std::numeric_limits<Real>::infinity());
-      state.broadPhase.move(shapeIndex, {-everywhere, everywhere});
-    } else {
-      state.broadPhase.move(shapeIndex, shape.swept, dt * body.velocity.linear);
-    }
   }
+}
+
+// The box by which pairs of a shape are found.
+Aabb<3> boxForPairs(const WorldState& state, Index shape) {
+  if (state.settings.pairFinding != PairFinding::allPairs) return state.shapes[at(shape)].swept;
+  const Vector3 everywhere = Vector3::Constant(std::numeric_limits<Real>::infinity());
+  return {-everywhere, everywhere};
+}
+
+void tellBoxes(WorldState& state, Index index, Real dt) {
+  const BodySlot& body = state.bodies[at(index)];
+  for (const Index shape : body.shapes) {
+    state.broadPhase.move(shape, boxForPairs(state, shape), dt * body.velocity.linear);
+  }
+}
+
+}  // namespace
+
+void moveBoxes(WorldState& state, Index index, Real dt) {
+  sweepBoxes(state, index, dt);
+  tellBoxes(state, index, dt);
 }
 
 void endPair(WorldState& state, Index index) {
@@ -167,7 +191,8 @@ namespace {
 
 void findPairs(WorldState& state) {
   const std::int64_t before = state.broadPhase.counters().tested;
-  state.broadPhase.update([&](Index a, Index b) { return mayMeet(state, a, b); });
+  state.broadPhase.update([&](Index a, Index b) { return mayMeet(state, a, b); },
+                          &threadsOf(state.pile, state.settings.threads));
   state.counters.pairsTested += state.broadPhase.counters().tested - before;
   for (const BroadPhase::Event& event : state.broadPhase.ended()) endPair(state, event.slot);
   for (const BroadPhase::Event& event : state.broadPhase.begun()) {
@@ -255,20 +280,25 @@ bool isKept(const WorldState& state, const PairSlot& pair) {
   return pair.known && isKept(state.bodies[at(pair.bodyA)]) && isKept(state.bodies[at(pair.bodyB)]);
 }
 
-// What a pair gives room to, and what it may turn aside: these bodies are listed. Returns whether
-// one got more room.
-bool makeRoomIn(WorldState& state, const PairSlot& pair, Real dt) {
+// Whether a blow between the bodies of a pair may ask for room.
+bool mayStrike(const WorldState& state, const PairSlot& pair, Real dt) {
   if (isOfPile(state, pair)) return false;
   if (isKept(state, pair)) return false;
   if (!meets(state.shapes[at(pair.shapeA)].swept, state.shapes[at(pair.shapeB)].swept)) {
     return false;
   }
-  BodySlot &a = state.bodies[at(pair.bodyA)], &b = state.bodies[at(pair.bodyB)];
   // What is slow throws nobody out of his room.
+  const Real pushes =
+      farthestPush(state, pair.bodyA, pair.shapeA) + farthestPush(state, pair.bodyB, pair.shapeB);
+  return 2 * pushes > state.settings.restTolerance && !passEachOther(state, pair, dt);
+}
+
+// What a pair that may strike gives room to, and what it may turn aside: these bodies are listed.
+// Returns whether one got more room.
+bool makeRoomIn(WorldState& state, const PairSlot& pair, Real dt) {
+  BodySlot &a = state.bodies[at(pair.bodyA)], &b = state.bodies[at(pair.bodyB)];
   const Real pushA = farthestPush(state, pair.bodyA, pair.shapeA);
   const Real pushB = farthestPush(state, pair.bodyB, pair.shapeB);
-  if (2 * (pushA + pushB) <= state.settings.restTolerance) return false;
-  if (passEachOther(state, pair, dt)) return false;
   const bool roomA = makeRoom(state, pair, pair.bodyB, pushB, pair.bodyA, dt);
   const bool roomB = makeRoom(state, pair, pair.bodyA, pushA, pair.bodyB, dt);
   const auto note = [&](BodySlot& body, Index index, bool room) {
@@ -281,14 +311,49 @@ bool makeRoomIn(WorldState& state, const PairSlot& pair, Real dt) {
   return roomA || roomB;
 }
 
+// The awake pairs in their order. Who may strike as things stand is found by all threads at once;
+// a body that is given room, or turned aside, lets its other pairs be asked again.
+bool makeFirstRooms(WorldState& state, Real dt) {
+  Workspace& work = state.work;
+  const std::span<const Index> awake = state.awakePairs;
+  work.seen.resize(awake.size());
+  shareOut(state, awake.size(), kFewPairs, [&](std::size_t i) {
+    fetchAhead(state, awake, i);
+    work.seen[i] = mayStrike(state, state.pairs[at(awake[i])], dt) ? 1 : 0;
+  });
+  bool any = false;
+  for (std::size_t i = 0; i < awake.size(); ++i) {
+    if (work.seen[i] == 0) continue;
+    const PairSlot& pair = state.pairs[at(awake[i])];
+    if (work.seen[i] == 2 && !mayStrike(state, pair, dt)) continue;
+    const std::size_t before = work.set.size();
+    any |= makeRoomIn(state, pair, dt);
+    for (std::size_t k = before; k < work.set.size(); ++k) {
+      for (const Index shape : state.bodies[at(work.set[k])].shapes) {
+        state.broadPhase.pairs().forEachOf(shape, [&](std::int32_t other, std::int32_t) {
+          work.seen[at(state.pairs[at(other)].awakeAt)] = 2;
+        });
+      }
+    }
+  }
+  return any;
+}
+
 // Blows go on through the pairs that there are, from those in the list on. Returns whether a body
 // got more room.
 bool makeRooms(WorldState& state, std::span<const Index> first, Real dt) {
   Workspace& work = state.work;
   work.set.clear();
   bool any = false;
-  const auto look = [&](Index pair) { any |= makeRoomIn(state, state.pairs[at(pair)], dt); };
-  for (const Index pair : first) look(pair);
+  const auto look = [&](Index index) {
+    const PairSlot& pair = state.pairs[at(index)];
+    if (mayStrike(state, pair, dt)) any |= makeRoomIn(state, pair, dt);
+  };
+  if (first.data() == state.awakePairs.data() && state.settings.threads > 1) {
+    any = makeFirstRooms(state, dt);
+  } else {
+    for (const Index pair : first) look(pair);
+  }
   // Only who was struck can hand it on.
   constexpr int kMost = 8;
   for (int round = 0; round < kMost && !work.set.empty(); ++round) {
@@ -307,17 +372,33 @@ bool makeRooms(WorldState& state, std::span<const Index> first, Real dt) {
 
 }  // namespace
 
+namespace {
+
+// Where a body may be in a step that begins. Returns whether the broad phase has to be told.
+bool beginBody(WorldState& state, Index index, Real dt) {
+  BodySlot& body = state.bodies[at(index)];
+  body.clock = 0;
+  body.mayTurn = false;
+  body.kept = body.struck == 0 && body.island != kNone && state.islands[at(body.island)].still;
+  if (body.kept) return false;
+  body.struck = 0;
+  body.way = body.velocity.linear.norm() * dt;
+  sweepBoxes(state, index, dt);
+  return !std::all_of(body.shapes.begin(), body.shapes.end(), [&](Index shape) {
+    return state.broadPhase.staysIn(shape, boxForPairs(state, shape), dt * body.velocity.linear);
+  });
+}
+
+}  // namespace
+
 void updatePairs(WorldState& state, Real dt) {
   Workspace& work = state.work;
-  for (const Index index : state.awakeBodies) {
-    BodySlot& body = state.bodies[at(index)];
-    body.clock = 0;
-    body.mayTurn = false;
-    body.kept = body.struck == 0 && body.island != kNone && state.islands[at(body.island)].still;
-    if (body.kept) continue;
-    body.struck = 0;
-    body.way = body.velocity.linear.norm() * dt;
-    moveBoxes(state, index, dt);
+  const std::span<const Index> awake = state.awakeBodies;
+  work.seen.resize(awake.size());
+  shareOut(state, awake.size(), kFewBodies,
+           [&](std::size_t i) { work.seen[i] = beginBody(state, awake[i], dt) ? 1 : 0; });
+  for (std::size_t i = 0; i < awake.size(); ++i) {
+    if (work.seen[i] != 0) tellBoxes(state, awake[i], dt);
   }
   // What is struck may meet others that it would not have come near by itself; and these, others.
   // The pairs of the last step know most of it: then pairs are looked for once.
@@ -394,14 +475,25 @@ void collidePair(const WorldState& state, PairSlot& pair, const Pose& A, const P
   handOn(old, forces, state.settings.contactMargin, pair);
 }
 
-void countManifold(WorldState& state, const PairSlot& pair) {
-  state.counters.contactPoints += pair.manifold.count;
+void countManifold(const WorldState& state, const PairSlot& pair, Counters& counters) {
+  counters.contactPoints += pair.manifold.count;
   if (pair.carried) {
-    ++state.counters.manifoldsCarried;
+    ++counters.manifoldsCarried;
     return;
   }
-  ++state.counters.manifoldsMade;
-  if (searchesAxes(state, pair)) ++state.counters.axesSearches;
+  ++counters.manifoldsMade;
+  if (searchesAxes(state, pair)) ++counters.axesSearches;
+}
+
+// What one thread has counted is added to what the others have.
+void addManifolds(const Counters& some, Counters& all) {
+  const auto add = [](std::int64_t part, std::int64_t& sum) {
+    std::atomic_ref<std::int64_t>(sum).fetch_add(part, std::memory_order_relaxed);
+  };
+  add(some.contactPoints, all.contactPoints);
+  add(some.manifoldsCarried, all.manifoldsCarried);
+  add(some.manifoldsMade, all.manifoldsMade);
+  add(some.axesSearches, all.axesSearches);
 }
 
 Real deepestOf(const Manifold& manifold) {
@@ -505,7 +597,7 @@ void makeManifold(WorldState& state, Index index, Real time, Real rest) {
   collidePair(state, pair, A, B, margin);
   state.kept[at(index)].known = false;
   pair.madeAt = time;
-  countManifold(state, pair);
+  countManifold(state, pair, state.counters);
 }
 
 void remakeManifold(WorldState& state, Index index, Real time, Real rest) {
@@ -527,49 +619,110 @@ bool isClosed(const WorldState& state, const PairSlot& pair, int point) {
   return separation <= touchGap(state, pair);
 }
 
-void updateManifolds(WorldState& state, Real dt) {
-  std::vector<Index>& toMake = state.work.toMake;
-  toMake.clear();
+namespace {
+
+// What threads have seen of a pair that is awake.
+enum PairLook : std::uint8_t {
+  askAgain,  // by one thread, in its turn: it may join, release or wake, or is kept
+  passing,   // the same, but only to ask whether it has come to a pile since
+  apart,     // and has been
+  near       // and has been
+};
+
+void setApart(PairSlot& pair) {
+  pair.manifold.count = 0;
+  pair.force = {};
+  pair.madeAt = 0;
+}
+
+// Looks at a pair, and does what concerns the pair alone. What others do in their turns changes
+// nothing about what is said here: bodies that are awake keep their boxes, and piles their bodies.
+PairLook lookAt(const WorldState& state, PairSlot& pair, Real dt) {
+  pair.madeAt = -1;
+  const BodySlot &a = state.bodies[at(pair.bodyA)], &b = state.bodies[at(pair.bodyB)];
+  if (a.asleep || b.asleep || isKept(state, pair)) return askAgain;
+  const bool isIn = pair.island != kNone;
+  if (!meets(state.shapes[at(pair.shapeA)].swept, state.shapes[at(pair.shapeB)].swept)) {
+    if (isIn) return askAgain;
+    pair.known = true;
+    setApart(pair);
+    return apart;
+  }
+  if (!mayTouch(state, pair, dt)) return isIn ? askAgain : passing;
+  if (!isIn) return askAgain;
+  pair.known = true;
+  return near;
+}
+
+// A pair in its turn. Returns whether it wants a manifold.
+bool takeTurn(WorldState& state, Index index, PairLook look, Real dt) {
+  PairSlot& pair = state.pairs[at(index)];
+  if (look == askAgain && isKept(state, pair)) {
+    ++state.counters.pairsKept;
+    return false;
+  }
+  pair.known = true;
+  const bool touches = look == passing ? isOfPile(state, state.bodies[at(pair.bodyA)]) ||
+                                             isOfPile(state, state.bodies[at(pair.bodyB)])
+                                       : mayTouch(state, pair, dt);
+  if (!touches) {
+    setApart(pair);
+    if (pair.island != kNone) releasePair(state, index);
+    return false;
+  }
+  for (const Index body : {pair.bodyA, pair.bodyB}) {
+    if (!state.bodies[at(body)].asleep) continue;
+    wakeBody(state, body);
+    moveBoxes(state, body, dt);
+  }
+  if (pair.island == kNone) joinByPair(state, index);
+  return true;
+}
+
+// Lists the pairs that want a manifold.
+void listPairsToMake(WorldState& state, Real dt) {
+  Workspace& work = state.work;
+  const std::size_t known = state.awakePairs.size();
+  work.seen.resize(known);
+  shareOut(state, known, kFewPairs, [&](std::size_t i) {
+    fetchAhead(state, state.awakePairs, i);
+    work.seen[i] = lookAt(state, state.pairs[at(state.awakePairs[i])], dt);
+  });
+  work.toMake.clear();
   // Waking adds to the list while it is walked through: what was added is looked at, too.
   for (std::size_t i = 0; i < state.awakePairs.size(); ++i) {
     const Index index = state.awakePairs[i];
-    fetchAhead(state, state.awakePairs, i);
-    PairSlot& pair = state.pairs[at(index)];
-    ++state.counters.pairsAwake;
-    // The broad phase has nothing to compare if everything is near everything.
-    if (state.settings.pairFinding == PairFinding::allPairs) ++state.counters.pairsTested;
-    pair.madeAt = -1;
-    if (isKept(state, pair)) {
-      ++state.counters.pairsKept;
-      continue;
-    }
-    pair.known = true;
-    if (mayTouch(state, pair, dt)) {
-      for (const Index body : {pair.bodyA, pair.bodyB}) {
-        if (!state.bodies[at(body)].asleep) continue;
-        wakeBody(state, body);
-        moveBoxes(state, body, dt);
-      }
-      if (pair.island == kNone) joinByPair(state, index);
-      toMake.push_back(index);
-    } else {
-      pair.manifold.count = 0;
-      pair.force = {};
-      pair.madeAt = 0;
-      if (pair.island != kNone) releasePair(state, index);
+    if (i >= known) state.pairs[at(index)].madeAt = -1;
+    const auto look = i < known ? static_cast<PairLook>(work.seen[i]) : askAgain;
+    if (look == near || (look != apart && takeTurn(state, index, look, dt))) {
+      work.toMake.push_back(index);
     }
   }
+  const auto all = static_cast<std::int64_t>(state.awakePairs.size());
+  state.counters.pairsAwake += all;
+  // The broad phase has nothing to compare if everything is near everything.
+  if (state.settings.pairFinding == PairFinding::allPairs) state.counters.pairsTested += all;
+}
+
+}  // namespace
+
+void updateManifolds(WorldState& state, Real dt) {
+  listPairsToMake(state, dt);
   leaveQuietPairs(state, dt);
-  // Each manifold concerns its pair alone, so that it does not matter who makes it.
-  constexpr std::size_t kFew = 16;  // are not worth a second thread
+  // Each manifold concerns its pair alone, so that it does not matter who makes it. Some take a
+  // hundred times as long as others.
+  constexpr std::size_t kPiece = 32;
+  const std::span<const Index> toMake = state.work.toMake;
   threadsOf(state.pile, state.settings.threads)
-      .loop(toMake.size(), kFew, [&](std::size_t begin, std::size_t end) {
+      .pieces(toMake.size(), kPiece, [&](std::size_t begin, std::size_t end) {
+        Counters counters;
         for (std::size_t i = begin; i < end; ++i) {
           fetchAhead(state, toMake, i);
           startManifold(state, toMake[i]);
+          countManifold(state, state.pairs[at(toMake[i])], counters);
         }
+        addManifolds(counters, state.counters);
       });
-  for (const Index index : toMake) countManifold(state, state.pairs[at(index)]);
 }
 
 }  // namespace carom::world

@@ -243,6 +243,7 @@ struct QuietPair {
   Index bodyB = kNone;  ///< as in the pair
   Real gap = 0;         ///< that of their boxes, less what counts as none [m]
   Real part = 0;        ///< from when one is touched until it touches the other, at least [1]
+  bool byWall = false;  ///< the first one cannot be moved
 };
 
 /// Memory that stages use again in each step. \ingroup world
@@ -263,6 +264,7 @@ struct Workspace {
   std::vector<Index> labels;          ///< of bodies, while islands are looked for
   std::vector<IndexPair> links;       ///< pairs of local numbers
   std::vector<std::uint8_t> flags;    ///< one per local body
+  std::vector<std::uint8_t> seen;     ///< what threads have seen of each of a list
   std::vector<std::uint8_t> asleep;   ///< the same, while an island wakes
   bool mayFactor = true;              ///< the island at hand may be solved directly
   std::int64_t rowsLeft = 0;  ///< rows that sweeps over this island may still visit in this step
@@ -395,6 +397,17 @@ inline void fetchAhead(const WorldState& state, std::span<const Index> pairs, st
   const PairSlot& pair = state.pairs[at(pairs[i + kAhead])];
   __builtin_prefetch(&pair);
   __builtin_prefetch(&pair.manifold.count);
+}
+
+/// Runs the turns of a loop on the threads of a world. \param state of the world \param count turns
+/// \param few so many are not worth a second thread; positive \param work called with the number of
+/// each turn; different turns change different things \ingroup world
+template <class Work>
+void shareOut(WorldState& state, std::size_t count, std::size_t few, Work&& work) {
+  threadsOf(state.pile, state.settings.threads)
+      .loop(count, few, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) work(i);
+      });
 }
 
 /// The id of a body. \param state of the world \param body its number \return its id
