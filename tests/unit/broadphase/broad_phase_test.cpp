@@ -89,6 +89,38 @@ TEST_CASE("the pairs are those of all pairs while bodies move, come and go") {
   }
 }
 
+TEST_CASE("pairs get the same slots for any number of threads") {
+  const PairSearch search = GENERATE(PairSearch::chosen, PairSearch::trees, PairSearch::grid);
+  INFO("search " << static_cast<int>(search));
+  Random random(7);
+  KeptThreads threads(3);
+  BroadPhase alone({.search = search}), shared({.search = search});
+  const auto randomBox = [&] {
+    const Vector3 center = random.vector(6);
+    return Aabb<3>{center - Vector3::Constant(0.5), center + Vector3::Constant(0.5)};
+  };
+  const auto accept = [](std::int32_t a, std::int32_t b) { return (a + b) % 7 != 0; };
+  for (int step = 0; step < 20; ++step) {
+    for (int body = 0; body < 700; ++body) {
+      if (step > 0 && step % 4 != 0 && body % 3 != 0) continue;
+      const Aabb<3> box = randomBox();
+      for (BroadPhase* phase : {&alone, &shared}) {
+        if (step == 0) phase->add(body, box, Mobility::moving);
+        phase->move(body, box);
+      }
+    }
+    alone.update(accept);
+    shared.update(accept, &threads);
+    REQUIRE(alone.begun().size() == shared.begun().size());
+    for (std::size_t i = 0; i < alone.begun().size(); ++i) {
+      REQUIRE(alone.begun()[i].pair == shared.begun()[i].pair);
+      REQUIRE(alone.begun()[i].slot == shared.begun()[i].slot);
+    }
+    REQUIRE(alone.pairs().sorted() == shared.pairs().sorted());
+    CHECK(alone.counters().tested == shared.counters().tested);
+  }
+}
+
 TEST_CASE("bodies of one family are no pairs, and strangers do not look for each other") {
   Random random(5);
   const int bodies = 60;
