@@ -370,10 +370,6 @@ bool makeRooms(WorldState& state, std::span<const Index> first, Real dt) {
   return any;
 }
 
-}  // namespace
-
-namespace {
-
 // Where a body may be in a step that begins. Returns whether the broad phase has to be told.
 bool beginBody(WorldState& state, Index index, Real dt) {
   BodySlot& body = state.bodies[at(index)];
