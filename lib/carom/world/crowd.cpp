@@ -54,10 +54,11 @@ Real expectedPairs(const Crowd& crowd, Real gravity, Real time) {
 }  // namespace
 
 int partsForCrowd(const WorldState& state, Real time) {
-  if (state.awakeBodies.size() < kFew || !state.settings.locateEvents) return 1;
-  if (state.settings.pairFinding == PairFinding::allPairs) return 1;
+  const WorldSettings& settings = state.settings;
+  if (!settings.divideCrowds || !settings.locateEvents) return 1;
+  if (state.awakeBodies.size() < kFew || settings.pairFinding == PairFinding::allPairs) return 1;
   const Crowd crowd = crowdOf(state);
-  const Real gravity = state.settings.gravity.norm();
+  const Real gravity = settings.gravity.norm();
   const Real fixed = kBody * crowd.flying + kPileBody * crowd.inPiles + kAny;
   const auto cost = [&](int parts) {
     return parts * (fixed + expectedPairs(crowd, gravity, time / parts));

@@ -26,6 +26,7 @@ struct WorldSettings {
   bool keepStill = true;      ///< do not step an island in which the last step changed nothing
   bool continuous = true;     ///< look for first contacts inside the step
   bool locateEvents = true;   ///< find impacts and ends of slipping inside the step and go on there
+  bool divideCrowds = true;   ///< go a long step in parts where a crowd flies about
   bool exactRotation = true;  ///< free rotation in closed form where the inertia needs it
   bool gyroscopic = true;     ///< the gyroscopic term at all; false: bodies turn as balls do
   bool trapezoidal = true;    ///< move by the mean of the velocities at both ends of the step

@@ -12,13 +12,19 @@ namespace {
 constexpr Real kRadius = 0.1, kHalf = 1.5;
 
 struct Gas {
-  World world{weightless()};
+  explicit Gas(bool divided)
+      : world([&] {
+          WorldSettings settings = weightless();
+          settings.divideCrowds = divided;
+          return settings;
+        }()) {}
+  World world;
   std::vector<BodyId> balls;
 };
 
 // Elastic balls on a grid in a closed room, with speeds of a few metres a second.
-Gas gas(int edge, Real speed = 4) {
-  Gas gas;
+Gas gas(int edge, Real speed = 4, bool divided = true) {
+  Gas gas(divided);
   for (int k = 0; k < 3; ++k) {
     const Vector3 normal = Vector3::Unit(k);
     addPlane(gas.world, 0, 1, normal, -kHalf * normal);
@@ -94,9 +100,9 @@ TEST_CASE("impacts of all parts come in the order of their times within the step
   CHECK(before <= 0.25);
 }
 
-TEST_CASE("few bodies, and a crowd that hardly moves, go a step in one") {
-  Gas few = gas(3), slow = gas(6, 0.05);
-  for (Gas* all : {&few, &slow}) {
+TEST_CASE("few bodies, a crowd that hardly moves, and one that is not divided go a step in one") {
+  Gas few = gas(3), slow = gas(6, 0.05), whole = gas(6, 4, false);
+  for (Gas* all : {&few, &slow, &whole}) {
     all->world.step(0.25);
     CHECK(all->world.counters().parts == 1);
   }
